@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../../seeded.h"
 #include "../../usual_headers.h"
 #include "core/balance/rail_support.h"
 #include "core/track/rail_along.h"
@@ -43,7 +44,7 @@ class LineTest : public testing::Test
     }
   }
 
-  double within(double limit) { return std::uniform_real_distribution<double>(-limit, limit)(random_); }
+  double within(double limit) { return random_.within(-limit, limit); }
   /// States of a wheelset that runs over the line, `step` [m] apart.
   std::vector<WheelsetState> run(double step)
   {
@@ -73,13 +74,10 @@ class LineTest : public testing::Test
     return scene;
   }
 
-  const unsigned seed_ = 20111U;
-  testing::ScopedTrace trace_{__FILE__, __LINE__, "seed " + std::to_string(seed_)};
-  std::mt19937 random_{seed_};
+  Seeded random_{20111U};
   std::vector<LineStation> stations_;  ///< random, 0.25 m apart
   ContactModelConfig scene_ = manchesterScene();
 };
-}  // namespace
 
 TEST_F(LineTest, ResultIsThatOfTheSameDisplacementGivenWithTheState)
 {
@@ -136,10 +134,8 @@ TEST_F(LineTest, AlignmentAndLevelOfTheTrackMoveTheWheelset)
   WheelsetContact ideal(scene_), on_line(sceneOn(lineOf({{0, 0, moved}, {1, 0, moved}})));
   for (const double y : {0.0, 2e-3, -5.5e-3})
   {
-    const WheelsetResult& a = ideal.evaluate(stateAt(y, 1e5));
-    const WheelsetResult& b = on_line.evaluate(stateAt(y + alignment, 1e5));
-    ASSERT_EQ(a.status, ContactStatus::ok);
-    ASSERT_EQ(b.status, ContactStatus::ok);
+    const WheelsetResult& a = okResult(ideal, stateAt(y, 1e5));
+    const WheelsetResult& b = okResult(on_line, stateAt(y + alignment, 1e5));
     // The grids have fixed places on the track. Their errors differ, by up to the tolerance of 1 %.
     EXPECT_NEAR(b.z - a.z, level, 1e-6);
     EXPECT_NEAR(a.roll, b.roll, 1e-6);
@@ -159,8 +155,7 @@ TEST_F(LineTest, CrossLevelRollsTheWheelset)
   WheelsetContact on_line(sceneOn(lineOf({{0, cross_level, {}}, {1, cross_level, {}}})));
   const double tilt = std::asin(cross_level / base);
   // In the tilted track, the axle centre is at y = 0: 0.46 m above the plane of the rail tops.
-  const WheelsetResult& result = on_line.evaluate(stateAt(-0.46 * std::sin(tilt), 1e5));
-  ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
+  const WheelsetResult& result = okResult(on_line, stateAt(-0.46 * std::sin(tilt), 1e5));
   EXPECT_NEAR(result.roll, tilt, 1e-5);
   EXPECT_NEAR(result.z, 0.46 * std::cos(tilt), 0.3e-3);  // first touch is 0.18 mm from it, the approach 0.1 mm
   EXPECT_NEAR(result.rail.left.deflection.roll, -tilt, 1e-12);
@@ -186,18 +181,13 @@ TEST_F(LineTest, PlacesOutsideTheLineAreReportedAndKeepTheWarmStart)
     EXPECT_TRUE(result.patches.empty());
     EXPECT_EQ(result.y, outside.y);
   }
+  WheelsetState invalid_outside = stateAt(std::nan(""), 1e5);
+  invalid_outside.distance = -1;
+  EXPECT_EQ(contact.evaluate(invalid_outside).status, ContactStatus::invalid_input);
   const WheelsetResult& warm = contact.evaluate(states[1]);
   expectSameBits(warm, undisturbed.evaluate(states[1]));
   // A cold start takes another path to the result.
   EXPECT_NE(warm.z, cold.evaluate(states[1]).z);
-}
-
-TEST_F(LineTest, InvalidStateOutsideTheLineIsInvalid)
-{
-  WheelsetContact contact(sceneOn(lineOf(stations_)));
-  WheelsetState state = stateAt(std::nan(""), 1e5);
-  state.distance = -1;
-  EXPECT_EQ(contact.evaluate(state).status, ContactStatus::invalid_input);
 }
 
 TEST_F(LineTest, WithoutALineTheDistanceIsNotUsed)
@@ -210,8 +200,6 @@ TEST_F(LineTest, WithoutALineTheDistanceIsNotUsed)
 }
 
 // A wheelset on rails whose profile changes along the line, and on rails of several parts.
-namespace
-{
 using Placement = RailSections::Placement;
 
 std::shared_ptr<const RailSections> series(const RailSeries& sections, Placement placement)
@@ -238,7 +226,6 @@ Carrying carrying(const WheelsetResult& result, double gap)
   }
   return found;
 }
-}  // namespace
 
 TEST(Sections, EqualSectionsGiveTheBitsOfTheProfile)
 {
@@ -276,8 +263,7 @@ TEST(Sections, ResultBetweenTwoSectionsLiesBetweenThoseOnThem)
   std::vector<WheelTotal> wheels;
   for (const double x : {0.0, 0.2, 0.5, 0.8, 1.0})
   {
-    const WheelsetResult& result = contact.evaluate(stateOn(x, 0, 8e4));
-    ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
+    const WheelsetResult& result = okResult(contact, stateOn(x, 0, 8e4));
     wheels.push_back(wheelTotal(result, Side::left));
     EXPECT_NEAR(wheels.back().vertical, 8e4, 1e-3 * 8e4);  // tolerance of the balance: a tenth of contact/tolerance
   }
@@ -312,8 +298,7 @@ TEST(Sections, TwoSeparateHeadsShareTheLoad)
       std::make_shared<const RailSections>(std::vector<RailSeries>{{{0, one, {}}}, {{0, two, {}}}}, Placement::gauge);
   WheelsetContact contact(config);
   const double load = 8e4;
-  const WheelsetResult& result = contact.evaluate(stateOn(3, 0, load));
-  ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
+  const WheelsetResult& result = okResult(contact, stateOn(3, 0, load));
   for (const Side side : sides)
   {
     const auto patches = patchesOf(result, side);
@@ -412,3 +397,4 @@ TEST(Sections, WarmEqualsColdAlongACrossing)
   EXPECT_LT(largest, config.contact.tolerance);
   EXPECT_LE(beyond, 0.05 * wheels);
 }
+}  // namespace

@@ -5,6 +5,7 @@
 #include "core/profile/curve/spline.h"
 #include "core/track/placement.h"
 #include "core/track/rail_search.h"
+#include "same_bits.h"
 #include "wheelset_scene.h"
 
 namespace wheel_rail_contact::core
@@ -96,8 +97,7 @@ TEST(CheckRail, TouchesTheFlangeBackWhereTheBodiesMeet)
   int touching = 0;
   for (double y = -2.4e-3; y > -2.9e-3 && touching < 10; y -= step)
   {
-    const WheelsetResult& result = contact.evaluate(stateAt(y, wheel_load));
-    ASSERT_EQ(result.status, ContactStatus::ok) << y << ": " << result.reason;
+    const WheelsetResult& result = okResult(contact, stateAt(y, wheel_load));
     const PatchResult* patch = steepPatch(result, Side::left);
     // The steepest overlap that the points can miss is half of their distance on a radius of 13 mm: below 1 um.
     const double gap = clearance(config, {result.y, result.z, result.yaw, result.roll});
@@ -123,16 +123,12 @@ TEST(CheckRail, SharesTheWheelLoadWithTheRunningRail)
 {
   WheelsetContact contact(withCheckRail(Side::left));
   contact.evaluate(stateAt(-2.55e-3, wheel_load));
-  const WheelsetResult& result = contact.evaluate(stateAt(-2.6e-3, wheel_load));
-  ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
+  const WheelsetResult& result = okResult(contact, stateAt(-2.6e-3, wheel_load));
   double vertical = 0, outward = 0;
-  for (const PatchResult& patch : result.patches)
+  for (const PatchResult* patch : patchesOf(result, Side::left))
   {
-    if (patch.side == Side::left)
-    {
-      vertical += patch.normal_force * std::cos(patch.pose.angle);
-      outward += patch.normal_force * std::sin(patch.pose.angle);  // of the force on the rail, along -z of the patch
-    }
+    vertical += patch->normal_force * std::cos(patch->pose.angle);
+    outward += patch->normal_force * std::sin(patch->pose.angle);  // of the force on the rail, along -z of the patch
   }
   EXPECT_NE(steepPatch(result, Side::left), nullptr);
   // The columns of a patch have different normals; its resultant is along their mean.
@@ -146,14 +142,7 @@ TEST(CheckRail, OnTheRightIsTheMirrorImage)
   WheelsetContact left(withCheckRail(Side::left)), right(withCheckRail(Side::right));
   for (const double y : {-2.0e-3, -2.6e-3, -3.0e-3})
   {
-    const WheelsetResult& one = left.evaluate(stateAt(y, wheel_load));
-    const WheelsetResult& other = right.evaluate(stateAt(-y, wheel_load));
-    ASSERT_EQ(one.status, ContactStatus::ok) << one.reason;
-    ASSERT_EQ(other.status, ContactStatus::ok) << other.reason;
-    EXPECT_EQ(one.z, other.z);
-    EXPECT_EQ(one.roll, -other.roll);
-    EXPECT_EQ(one.rail.left.lateral_force, other.rail.right.lateral_force);
-    EXPECT_EQ(one.rail.right.vertical_force, other.rail.left.vertical_force);
+    expectMirrorImage(okResult(left, stateAt(y, wheel_load)), okResult(right, stateAt(-y, wheel_load)));
   }
 }
 
@@ -168,8 +157,7 @@ TEST(CheckRail, IsFollowedOnRailsThatBend)
     double before = 0;
     for (double y = -2.0e-3; y > -5e-3; y -= 1e-4)
     {
-      const WheelsetResult& result = contact.evaluate(stateAt(y, wheel_load, yaw));
-      ASSERT_EQ(result.status, ContactStatus::ok) << y << ": " << result.reason;
+      const WheelsetResult& result = okResult(contact, stateAt(y, wheel_load, yaw));
       const PatchResult* patch = steepPatch(result, Side::left);
       const double force = patch ? patch->normal_force : 0;
       EXPECT_GE(force, before) << y;  // the pads yield as the wheel moves on
@@ -187,15 +175,11 @@ TEST(CheckRail, OutOfReachChangesNothing)
   WheelsetContact without(plain), with(withCheckRail(Side::left, near_face - 0.05));
   for (double y = -5e-3; y < 6.5e-3; y += 0.5e-3)
   {
-    const WheelsetResult& one = without.evaluate(stateAt(y, wheel_load));
-    const WheelsetResult& other = with.evaluate(stateAt(y, wheel_load));
-    ASSERT_EQ(one.status, ContactStatus::ok) << one.reason;
-    ASSERT_EQ(other.status, ContactStatus::ok) << other.reason;
+    const WheelsetResult& one = okResult(without, stateAt(y, wheel_load));
+    const WheelsetResult& other = okResult(with, stateAt(y, wheel_load));
     EXPECT_EQ(other.patches.size(), one.patches.size()) << y;
-    // A tenth of the tolerance of 1 %.
-    EXPECT_NEAR(wheelTotal(other, Side::left).max_pressure, wheelTotal(one, Side::left).max_pressure,
-                1e-3 * wheelTotal(one, Side::left).max_pressure)
-        << y;
+    const double pressure = wheelTotal(one, Side::left).max_pressure;
+    EXPECT_NEAR(wheelTotal(other, Side::left).max_pressure, pressure, 1e-3 * pressure) << y;  // a tenth of 1 %
     EXPECT_NEAR(other.z, one.z, 1e-7) << y;
   }
 }
@@ -267,10 +251,8 @@ TEST(CheckRail, IsNotSeenInTheGaugeCornerOfAnotherPart)
   WheelsetContact on_whole(whole), on_divided(divided);
   for (double y = 5e-3; y < 7e-3; y += 0.1e-3)
   {
-    const WheelsetResult& one = on_whole.evaluate(stateAt(y, wheel_load / 2));
-    const WheelsetResult& other = on_divided.evaluate(stateAt(y, wheel_load / 2));
-    ASSERT_EQ(one.status, ContactStatus::ok) << y;
-    ASSERT_EQ(other.status, ContactStatus::ok) << y << ": " << other.reason;
+    const WheelsetResult& one = okResult(on_whole, stateAt(y, wheel_load / 2));
+    const WheelsetResult& other = okResult(on_divided, stateAt(y, wheel_load / 2));
     EXPECT_EQ(other.patches.size(), one.patches.size()) << y;
     // The points of the spline are off by up to 0.2 um at the ends of the arcs.
     EXPECT_NEAR(other.rail.left.lateral_force, one.rail.left.lateral_force, 0.03 * wheel_load) << y;

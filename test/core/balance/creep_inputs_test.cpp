@@ -2,25 +2,20 @@
 // What creep forces require of a result: sizes, places, curvatures, stiffness and forces of each contact.
 #include <Eigen/Geometry>
 
+#include "../../last_where.h"
 #include "../../usual_headers.h"
 #include "core/track/placement.h"
 #include "round_bodies.h"
+#include "same_bits.h"
 #include "wheelset_scene.h"
 
 using namespace wheel_rail_contact::core;
 
 namespace
 {
-const PatchResult& only(const WheelsetResult& result, Side side)
+const PatchResult& firstOf(const WheelsetResult& result, Side side)
 {
-  for (const PatchResult& patch : result.patches)
-  {
-    if (patch.side == side)
-    {
-      return patch;
-    }
-  }
-  throw std::logic_error("no patch on this side");
+  return *patchesOf(result, side).at(0);
 }
 
 WheelsetContact roundContact(double slope)
@@ -29,7 +24,6 @@ WheelsetContact roundContact(double slope)
   scene.contact.tolerance = 1e-3;
   return WheelsetContact(scene);
 }
-}  // namespace
 
 // The semi-axes inherit half of the relative error of the area, 5e-4 at this tolerance, and that of their ratio: the
 // ends of the lines of cells are located to 2 % of a cell, with 48 cells.
@@ -38,10 +32,9 @@ TEST(CreepInputsTest, SemiAxesAndStiffnessOfAHertzContactAreThoseOfHertz)
   for (const double slope : {0.0, 0.05, 0.1})
   {
     WheelsetContact contact = roundContact(slope);
-    const WheelsetResult& result = contact.evaluate(stateAt(0, 1e5));
-    ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
+    const WheelsetResult& result = okResult(contact, stateAt(0, 1e5));
     const HertzContact hertz = round_bodies::exactContact(contact.config(), slope, 0, 1e5);
-    const PatchResult& patch = only(result, Side::left);
+    const PatchResult& patch = firstOf(result, Side::left);
     EXPECT_NEAR(patch.semi_axis_along, hertz.semi_axis_x, 2e-3 * hertz.semi_axis_x);
     EXPECT_NEAR(patch.semi_axis_across, hertz.semi_axis_y, 2e-3 * hertz.semi_axis_y);
     EXPECT_NEAR(patch.normal_stiffness, 1.5 * hertz.force / hertz.approach, 2e-3 * 1.5 * hertz.force / hertz.approach);
@@ -53,9 +46,8 @@ TEST(CreepInputsTest, CurvaturesRadiusAndPlacesOfAConeFollowFromItsGeometry)
   const double slope = 0.1, y = 2e-3, angle = std::atan(slope);
   WheelsetContact contact = roundContact(slope);
   const ContactModelConfig& scene = contact.config();
-  const WheelsetResult& result = contact.evaluate(stateAt(y, 1e5));
-  ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
-  const PatchResult& patch = only(result, Side::left);
+  const WheelsetResult& result = okResult(contact, stateAt(y, 1e5));
+  const PatchResult& patch = firstOf(result, Side::left);
   // The crown touches where its tangent is that of the cone, which the roll turns.
   const double tilt = angle + result.roll;
   EXPECT_NEAR(patch.contact_angle, tilt, 1e-4);
@@ -78,9 +70,8 @@ TEST(CreepInputsTest, AYawedFlangeTouchesAheadOfTheAxle)
 {
   WheelsetContact contact(manchesterScene());
   const double yaw = 10e-3;
-  const WheelsetResult& result = contact.evaluate(stateAt(7e-3, 5e4, yaw));
-  ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
-  const PatchResult& patch = only(result, Side::left);
+  const WheelsetResult& result = okResult(contact, stateAt(7e-3, 5e4, yaw));
+  const PatchResult& patch = firstOf(result, Side::left);
   ASSERT_GT(patch.contact_angle, 1);
   EXPECT_NEAR(patch.wheel_angle, std::tan(yaw) * std::tan(patch.contact_angle), 0.03 * patch.wheel_angle);
   const double ahead = patch.pose.x + (patch.pose.y - result.y) * std::tan(yaw);  // of the axle
@@ -95,8 +86,7 @@ TEST(CreepInputsTest, RollingRadiiOfAYawedWheelBelongToThePlacesOfItsContacts)
   bool two_on_a_wheel = false;
   for (int i = 0; i <= 60; ++i)
   {
-    const WheelsetResult& result = contact.evaluate(stateAt(4e-3 + 5e-5 * i, 5e4, 40e-3));
-    ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
+    const WheelsetResult& result = okResult(contact, stateAt(4e-3 + 5e-5 * i, 5e4, 40e-3));
     two_on_a_wheel = two_on_a_wheel || result.patches.size() > 2;
     const Eigen::Vector3d axle = (Eigen::AngleAxisd(result.yaw, Eigen::Vector3d::UnitZ()) *
                                   Eigen::AngleAxisd(result.roll, Eigen::Vector3d::UnitX())) *
@@ -119,8 +109,7 @@ TEST(CreepInputsTest, ForcesOfAllContactsAddUpToTheWrenchOnTheAxle)
   bool two_on_a_wheel = false;
   for (const double y : {-5e-3, 0.0, 2e-3, 5.2e-3, 7e-3})
   {
-    const WheelsetResult& result = contact.evaluate(stateAt(y, 5e4, 4e-3));
-    ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
+    const WheelsetResult& result = okResult(contact, stateAt(y, 5e4, 4e-3));
     two_on_a_wheel = two_on_a_wheel || result.patches.size() > 2;
     double lateral = 0, vertical = 0;
     Eigen::Vector3d moment = Eigen::Vector3d::Zero();
@@ -157,12 +146,11 @@ TEST(CreepInputsTest, NormalStiffnessIsTheChangeOfTheForcePerApproach)
   WheelsetContact loaded(scene);
   scene.wheelset.solve_height_and_roll = false;
   WheelsetContact held(scene);
-  EXPECT_TRUE(std::isnan(only(loaded.evaluate(stateAt(6.26e-3, 1.3e5, -0.019)), Side::left).normal_stiffness));
+  EXPECT_TRUE(std::isnan(firstOf(loaded.evaluate(stateAt(6.26e-3, 1.3e5, -0.019)), Side::left).normal_stiffness));
   for (const double y : {0.0, 3e-3, 6e-3, 6.41e-3, 7e-3})
   {
-    const WheelsetResult under_load = loaded.evaluate(stateAt(y, y == 6.41e-3 ? 69e3 : 5e4));
-    ASSERT_EQ(under_load.status, ContactStatus::ok) << under_load.reason;
-    const PatchResult& patch = only(under_load, Side::left);
+    const WheelsetResult under_load = okResult(loaded, stateAt(y, y == 6.41e-3 ? 69e3 : 5e4));
+    const PatchResult& patch = firstOf(under_load, Side::left);
     WheelsetState state;
     state.y = y;
     state.z = under_load.z;
@@ -171,7 +159,7 @@ TEST(CreepInputsTest, NormalStiffnessIsTheChangeOfTheForcePerApproach)
     {
       state.rail_displacement.left = {-approach * std::sin(patch.contact_angle),
                                       approach * std::cos(patch.contact_angle), 0};
-      return only(held.evaluate(state), Side::left).normal_force;
+      return firstOf(held.evaluate(state), Side::left).normal_force;
     };
     const double step = 2e-6;
     const double slope = (force(step) - force(-step)) / (2 * step);
@@ -183,8 +171,7 @@ TEST(CreepInputsTest, TheAngleIsNegativeWhereTheWheelPressesTheRailInward)
 {
   // A cone that falls to the field side.
   WheelsetContact contact(round_bodies::scene(-0.05));
-  const WheelsetResult& result = contact.evaluate(stateAt(0, 5e4));
-  ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
+  const WheelsetResult& result = okResult(contact, stateAt(0, 5e4));
   for (const PatchResult& patch : result.patches)
   {
     EXPECT_NEAR(patch.contact_angle, std::atan(-0.05), 1e-4);
@@ -192,32 +179,21 @@ TEST(CreepInputsTest, TheAngleIsNegativeWhereTheWheelPressesTheRailInward)
   }
 }
 
-namespace
-{
 constexpr double light_load = 1e3;  ///< of each wheel [N]
 
 /// Distance of the contact from the axle, for a wheel with one contact [m].
 double rollingRadius(const WheelsetResult& result, Side side)
 {
-  double radius = 0;
-  for (const PatchResult& patch : result.patches)
-  {
-    if (patch.side == side)
-    {
-      EXPECT_EQ(radius, 0) << "a second contact";
-      const double y = patch.pose.y - result.y, z = patch.pose.z - result.z;
-      radius = std::sin(result.roll) * y - std::cos(result.roll) * z;
-    }
-  }
-  return radius;
+  EXPECT_EQ(patchesOf(result, side).size(), 1U);
+  const PatchPose& pose = firstOf(result, side).pose;
+  return std::sin(result.roll) * (pose.y - result.y) - std::cos(result.roll) * (pose.z - result.z);
 }
 
 /// Radius of the left wheel less that of the right one, at `y` [m].
 double radiusDifference(WheelsetContact& contact, double y)
 {
   contact.reset();
-  const WheelsetResult& result = contact.evaluate(stateAt(y, light_load));
-  EXPECT_EQ(result.status, ContactStatus::ok) << result.reason;
+  const WheelsetResult& result = okResult(contact, stateAt(y, light_load));
   return rollingRadius(result, Side::left) - rollingRadius(result, Side::right);
 }
 
@@ -248,16 +224,12 @@ struct Cone
 /// Difference of the rolling radii of two rigid cones. The roll at which both touch is found by halving.
 double exactDifference(const Cone& left, const Cone& right, double y, const WheelsetConfig& wheelset)
 {
-  double low = -0.01, high = 0.01;
-  for (int halving = 0; halving < 60; ++halving)
-  {
-    const double roll = 0.5 * (low + high);
-    // A larger roll lifts the left wheel: to touch, the axle is then lower on the left.
-    (left.at(y, roll, wheelset).height > right.at(-y, -roll, wheelset).height ? low : high) = roll;
-  }
-  return left.at(y, low, wheelset).rolling_radius - right.at(-y, -low, wheelset).rolling_radius;
+  // A larger roll lifts the left wheel: to touch, the axle is then lower on the left.
+  const auto left_is_higher = [&](double roll)
+  { return left.at(y, roll, wheelset).height > right.at(-y, -roll, wheelset).height; };
+  const double roll = lastWhere(left_is_higher, -0.01, 0.01);
+  return left.at(y, roll, wheelset).rolling_radius - right.at(-y, -roll, wheelset).rolling_radius;
 }
-}  // namespace
 
 // Tolerance: the approach of 3 um under 1 kN differs between the sides by less than 1 %. The centre of pressure is
 // found to a thousandth of the patch of 2 mm, on a slope of at most 1:10.
@@ -319,3 +291,4 @@ TEST(RollingRadius, OfTheConeOfEN15302DiffersAsInItsTablesAndByTheRoll)
         << "y " << figure.y << ", left radius " << figure.left_radius;
   }
 }
+}  // namespace

@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Requirement of a co-simulation at 1 kHz: with a fixed grid and one patch per wheel, an evaluation allocates no
 // memory.
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-
-#include "../../manchester_scene.h"
 #include "../allocation_counter.h"
-#include "wheel_rail_contact/core/wheelset_contact.h"
+#include "wheelset_scene.h"
 
 #ifdef __GLIBC__
 namespace wheel_rail_contact::core
@@ -18,10 +13,7 @@ void sweep(WheelsetContact& contact, double yaw)
 {
   for (int k = -80; k <= 80; ++k)
   {
-    WheelsetState state;
-    state.y = k * 0.05e-3;
-    state.force_z = -200e3;
-    state.yaw = yaw;
+    WheelsetState state = stateAt(k * 0.05e-3, 1e5, yaw);
     state.motion.speed = 20;
     ASSERT_TRUE(isUsable(contact.evaluate(state).status)) << "y = " << state.y;
   }
@@ -32,11 +24,7 @@ long allocationsOnThirdSweep(const ContactModelConfig& config, double yaw = 0)
   WheelsetContact contact(config);
   sweep(contact, yaw);
   sweep(contact, yaw);  // includes the jump back from one end to the other
-  allocations = 0;
-  counting = true;
-  sweep(contact, yaw);
-  counting = false;
-  return allocations;
+  return allocationsOf([&] { sweep(contact, yaw); });
 }
 
 ContactModelConfig onOneGrid()
@@ -48,14 +36,11 @@ ContactModelConfig onOneGrid()
 
 TEST(HotPath, CounterSeesAllocations)
 {
-  allocations = 0;
-  counting = true;
-  void* volatile memory = std::malloc(16);  // volatile: an optimizer may remove the unused allocation
+  void* volatile memory = nullptr;  // volatile: an optimizer may remove the unused allocation
+  EXPECT_EQ(allocationsOf([&] { memory = std::malloc(16); }), 1);
   std::free(memory);
-  memory = std::calloc(2, 8);
+  EXPECT_EQ(allocationsOf([&] { memory = std::calloc(2, 8); }), 1);
   std::free(memory);
-  counting = false;
-  EXPECT_EQ(allocations, 2);
 }
 
 TEST(HotPath, StiffRailsAllocateNothing)
@@ -81,12 +66,9 @@ TEST(HotPath, FirstYawedMessagesComputeNoCoefficients)
 {
   WheelsetContact contact(onOneGrid());
   sweep(contact, 0);
-  allocations = 0;
-  counting = true;
-  sweep(contact, 0.005);
-  counting = false;
   // One set of coefficients takes more allocations than this: tables of the rows and columns of the grid, spectrum,
   // factors.
+  allocationsOf([&] { sweep(contact, 0.005); });
   EXPECT_LE(allocations, 40);
 }
 

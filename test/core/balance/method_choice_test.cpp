@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Accuracy of `method: auto`: a result meets the tolerance, or its error estimate exceeds the tolerance.
-#include <map>
-
 #include "../../usual_headers.h"
 #include "../normal/error_samples.h"
 #include "core/balance/grid_levels.h"
@@ -69,10 +67,7 @@ struct Tally
 GridLevels truthLevels(const GridSize& size)
 {
   ContactModelConfig config;
-  config.contact.method = NormalMethod::conjugate_gradient;
-  config.contact.cells_along = size.along;
-  config.contact.cells_across = size.across;
-  config.contact.tolerance = 1e-4;
+  config.contact = {NormalMethod::conjugate_gradient, 1e-4, size.along, size.across};
   return GridLevels(config);
 }
 
@@ -139,16 +134,14 @@ TEST(MethodChoice, AnErrorEstimateAboveTheToleranceIsReported)
   ContactModelConfig config = manchesterScene();
   config.contact.tolerance = 3e-5;  // below the error of the finest grid
   WheelsetContact strict(config);
-  const WheelsetResult& result = strict.evaluate(stateAt(0.003, 1e5));
-  ASSERT_EQ(result.status, ContactStatus::ok);
+  const WheelsetResult& result = okResult(strict, stateAt(0.003, 1e5));
   EXPECT_TRUE(result.above_tolerance);
   EXPECT_NE(result.reason.find("contact/tolerance"), std::string::npos) << result.reason;
   EXPECT_TRUE(std::any_of(result.patches.begin(), result.patches.end(),
                           [&](const PatchResult& patch) { return patch.error_estimate > config.contact.tolerance; }));
 
   WheelsetContact usual(manchesterScene());
-  const WheelsetResult& within = usual.evaluate(stateAt(0.003, 1e5));
-  ASSERT_EQ(within.status, ContactStatus::ok);
+  const WheelsetResult& within = okResult(usual, stateAt(0.003, 1e5));
   EXPECT_FALSE(within.above_tolerance);
   EXPECT_EQ(within.reason, "");
 }
@@ -184,8 +177,7 @@ TEST(MethodChoice, APatchSaysWhatItsMethodLeavesOut)
     ContactModelConfig config = manchesterScene();
     config.contact.method = method;
     WheelsetContact contact(config);
-    const WheelsetResult& result = contact.evaluate(stateAt(0.001, 1e5));
-    ASSERT_EQ(result.status, ContactStatus::ok) << toString(method);
+    const WheelsetResult& result = okResult(contact, stateAt(0.001, 1e5));
     const bool is_complete = method == NormalMethod::automatic || method == NormalMethod::conjugate_gradient;
     for (const PatchResult& patch : result.patches)
     {
@@ -193,12 +185,9 @@ TEST(MethodChoice, APatchSaysWhatItsMethodLeavesOut)
     }
   }
 }
-}  // namespace
 
 // Grids of a method, and the choice of a finer one by `method: auto`.
 
-namespace
-{
 ContactModelConfig withTolerance(double tolerance)
 {
   ContactModelConfig config;
@@ -210,7 +199,6 @@ int cells(const GridSize& size)
 {
   return size.along * size.across;
 }
-}  // namespace
 
 TEST(GridLevels, ASmallerToleranceHasNoCoarserFirstGrid)
 {
@@ -245,12 +233,7 @@ TEST(GridLevels, TheNextGridIsTheFirstOneExpectedToMeetTheTolerance)
     EXPECT_EQ(levels.finer(level, 1.001 * most), std::min(level + 2, levels.count() - 1));
     EXPECT_EQ(levels.finer(level, 1e6), levels.count() - 1);
   }
-}
-
-TEST(GridLevels, TheFinestGridIsKeptWhateverItsError)
-{
-  const GridLevels levels(withTolerance(0.01));
-  EXPECT_EQ(levels.finer(levels.count() - 1, 1), levels.count() - 1);
+  EXPECT_EQ(levels.finer(levels.count() - 1, 1), levels.count() - 1) << "the finest one is kept";
 }
 
 TEST(GridLevels, EveryOtherMethodHasOneGrid)
@@ -276,3 +259,4 @@ TEST(GridLevels, AGivenGridIsTheOnlyOne)
   EXPECT_EQ(levels.at(0), (GridSize{10, 26}));
   EXPECT_EQ(levels.finer(0, 1), 0U);
 }
+}  // namespace

@@ -2,6 +2,7 @@
 // Grids over the overlap of the undeformed bodies.
 #include "core/balance/overlap_grids.h"
 
+#include "../../seeded.h"
 #include "../../usual_headers.h"
 #include "core/balance/rail_support.h"
 #include "wheelset_scene.h"
@@ -139,14 +140,11 @@ TEST_F(OverlapGridsTest, DistantContactsHaveTwoCoupledGrids)
 // grid, and its ends inside the border.
 TEST_F(OverlapGridsTest, GridsContainTheWholeOverlap)
 {
-  constexpr unsigned seed = 20113U;
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> unit(-1, 1);
+  Seeded random(20113U);
   for (int i = 0; i < 200; ++i)
   {
-    const double y = 8e-3 * unit(random), yaw = i % 2 == 0 ? 0 : 0.02 * unit(random);
-    const double depth = 1e-5 * std::pow(30, std::abs(unit(random)));
+    const double y = 8e-3 * random.unit(), yaw = i % 2 == 0 ? 0 : 0.02 * random.unit();
+    const double depth = 1e-5 * std::pow(30, std::abs(random.unit()));
     const WheelsetPose pose = overlapping(y, yaw, depth);
     SCOPED_TRACE("y " + std::to_string(y) + " yaw " + std::to_string(yaw) + " depth " + std::to_string(depth));
     ASSERT_EQ(build(pose), OverlapGrids::Overlap::found);

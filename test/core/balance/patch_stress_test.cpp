@@ -4,26 +4,23 @@
 #include "core/balance/rail_support.h"
 #include "core/track/contact_search.h"
 #include "round_bodies.h"
+#include "same_bits.h"
 #include "wheelset_scene.h"
 
 using namespace wheel_rail_contact::core;
 
 namespace
 {
-ContactModelConfig roundScene(const StressConfig& stress)
+ContactModelConfig roundScene(const StressConfig& stress, ContactModelConfig scene = round_bodies::scene(0.05))
 {
-  ContactModelConfig scene = round_bodies::scene(0.05);
   scene.stress = stress;
   return scene;
 }
 
 ContactModelConfig standardScene(const StressConfig& stress)
 {
-  ContactModelConfig scene = manchesterScene();
-  scene.stress = stress;
-  return scene;
+  return roundScene(stress, manchesterScene());
 }
-}  // namespace
 
 TEST(PatchStress, IsNotComputedByDefault)
 {
@@ -91,8 +88,7 @@ TEST(PatchStress, FieldHasTheShapeOfTheGridAndContainsTheMaximum)
   WheelsetContact contact(standardScene({40, true}));
   for (const double y : {0.0, 3e-3, -5.5e-3, 6.2e-3})
   {
-    const WheelsetResult& result = contact.evaluate(stateAt(y, 1e5, 2e-3));
-    ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
+    const WheelsetResult& result = okResult(contact, stateAt(y, 1e5, 2e-3));
     for (const PatchResult& patch : result.patches)
     {
       ASSERT_EQ(patch.rail_stress.field.size(), 40U);
@@ -159,8 +155,6 @@ TEST(PatchStress, OfANarrowPeakIsNotMissed)
   EXPECT_LT(depth, 0.4e-3);
 }
 
-namespace
-{
 /// Distance of a point in side axes from a placed rail, by sampling and refinement [m].
 double distanceFrom(const PlacedRail& rail, double y, double z)
 {
@@ -204,7 +198,6 @@ class PatchFrameTest : public testing::Test
 
   ContactModelConfig scene_ = manchesterScene();
 };
-}  // namespace
 
 TEST_F(PatchFrameTest, OriginLiesOnThePlacedRail)
 {
@@ -276,9 +269,7 @@ TEST_F(PatchFrameTest, OriginIsTheCentreOfPressure)
 // than a cell.
 TEST_F(PatchFrameTest, PressureDoesNotReachTheBorderOfAFineGrid)
 {
-  scene_.contact.method = NormalMethod::conjugate_gradient;
-  scene_.contact.cells_along = 64;
-  scene_.contact.cells_across = 64;
+  scene_.contact = {NormalMethod::conjugate_gradient, 0.01, 64, 64};
   for (const PatchResult& patch : patchesTo(-4e-3, 0))
   {
     const Eigen::ArrayXXd& p = patch.pressure;
@@ -312,20 +303,16 @@ TEST_F(PatchFrameTest, TwoPatchesOfAWheelShareOnePenetration)
         {*scene_.wheel_profile.left, scene_.wheelset, Side::left, {result.y, result.z, result.yaw, result.roll}});
     std::vector<OverlapInterval> intervals;
     search.overlapIntervals(0, intervals);
-    for (const PatchResult& patch : result.patches)
+    for (const PatchResult* patch : patchesOf(result, Side::left))
     {
-      if (patch.side != Side::left)
-      {
-        continue;
-      }
-      const auto nearest =
-          std::min_element(intervals.begin(), intervals.end(),
-                           [&](const OverlapInterval& a, const OverlapInterval& b)
-                           { return std::abs(a.contact.y - patch.pose.y) < std::abs(b.contact.y - patch.pose.y); });
+      const auto away = [&](const OverlapInterval& at) { return std::abs(at.contact.y - patch->pose.y); };
+      const auto nearest = std::min_element(intervals.begin(), intervals.end(),
+                                            [&](const auto& a, const auto& b) { return away(a) < away(b); });
       ASSERT_NE(nearest, intervals.end());
       const double overlap = -nearest->contact.separation / std::hypot(1, nearest->contact.slope);
-      EXPECT_NEAR(patch.approach, overlap, 0.01 * overlap + 1e-7) << "y " << y;
+      EXPECT_NEAR(patch->approach, overlap, 0.01 * overlap + 1e-7) << "y " << y;
     }
   }
   EXPECT_GT(found, 2);
 }
+}  // namespace

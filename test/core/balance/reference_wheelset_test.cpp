@@ -141,8 +141,7 @@ class ReferenceStateTest : public testing::TestWithParam<std::size_t>
     ASSERT_TRUE(row.rails_outward == 0 || row.rails_outward == 0.2435e-3);
     WheelsetContact& contact = row.rails_outward == 0 ? on_straight_rails : on_bent_rails;
     contact.reset();
-    result_ = contact.evaluate(stateAt(row.y, row.load, row.yaw));
-    ASSERT_EQ(result_.status, ContactStatus::ok) << result_.reason;
+    result_ = okResult(contact, stateAt(row.y, row.load, row.yaw));
   }
 
   static const ReferenceState& state() { return reference_states.at(GetParam()); }
@@ -175,7 +174,6 @@ class ReferenceStateTest : public testing::TestWithParam<std::size_t>
 
   WheelsetResult result_;
 };
-}  // namespace
 
 // Required: max pressure within 1.5 % (2.5 % on the flange), area within 2 % (5 % below 50 mm², where the cells of the
 // reference are coarse). Where the reference has one plane for several areas, planes up to 0.3 rad apart change loads
@@ -248,8 +246,6 @@ TEST_P(ReferenceStateTest, SemiAxesAgreeWithTheStiffnessOfTheReference)
 
 INSTANTIATE_TEST_SUITE_P(ManchesterSweep, ReferenceStateTest, testing::Range(std::size_t{0}, reference_states.size()));
 
-namespace
-{
 /// Wheelset of two standard profiles on rigid rails, inclined 1:40.
 WheelsetContact wheelsetOf(const std::string& wheel, const std::string& rail)
 {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cmath>
-#include <memory>
-
 #include "../normal/problems.h"
 #include "wheelset_scene.h"
 

@@ -123,4 +123,27 @@ inline void expectMirrorImage(const WheelsetResult& result, const WheelsetResult
     }
   }
 }
+
+/// Expects the mirror image of a scene to have mirrored results of mirrored states, every second one from a cold start.
+/// @return number of usable results
+template <typename RandomState>
+int expectMirroredResults(const ContactModelConfig& config, int count, RandomState random_state)
+{
+  WheelsetContact contact(config), mirror(mirrored(config));
+  int usable = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    const WheelsetState state = random_state();
+    if (i % 2 == 0)
+    {
+      contact.reset();
+      mirror.reset();
+    }
+    SCOPED_TRACE("y " + std::to_string(state.y) + " yaw " + std::to_string(state.yaw));
+    const WheelsetResult& result = contact.evaluate(state);
+    expectMirrorImage(result, mirror.evaluate(mirrored(state)));
+    usable += isUsable(result.status) ? 1 : 0;
+  }
+  return usable;
+}
 }  // namespace wheel_rail_contact::core

@@ -49,7 +49,6 @@ class WheelEquilibriumTest : public testing::Test
   ContactModelConfig config_ = onPads(softPads());
   ConjugateGradients solver_ = problems::solverTo(1e-6);
 };
-}  // namespace
 
 // The forces of the contact are those that deflect the rail. Outward on the tread, at the gauge corner and on the
 // flange.
@@ -170,8 +169,6 @@ TEST(GivenHeight, ForcesRiseAsTheWheelsetIsLowered)
 
 // Stiffness of a result, against differences of its forces.
 
-namespace
-{
 /// Forces of the rail on the wheel, along y and z of the track frame [N].
 Eigen::Vector2d forcesOn(const RailResult& rail, Side side)
 {
@@ -183,10 +180,7 @@ ContactModelConfig givenScene()
 {
   ContactModelConfig config = manchesterScene();
   config.wheelset.solve_height_and_roll = false;
-  config.contact.method = NormalMethod::conjugate_gradient;
-  config.contact.cells_along = 32;
-  config.contact.cells_across = 96;
-  config.contact.tolerance = 1e-4;
+  config.contact = {NormalMethod::conjugate_gradient, 1e-4, 32, 96};
   return config;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/balance/wheelset_balance.h"
 
+#include "../../seeded.h"
 #include "../../usual_headers.h"
 #include "same_bits.h"
 #include "wheelset_scene.h"
@@ -19,7 +20,7 @@ double wheelLoad(const ContactModelConfig& config, const WheelsetState& state, S
 class WheelsetBalanceTest : public testing::Test
 {
  protected:
-  double within(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  double within(double low, double high) { return random_.within(low, high); }
   WheelsetState randomState()
   {
     WheelsetState state = stateAt(within(-6e-3, 6e-3), std::exp(within(std::log(2e3), std::log(2e5))));
@@ -37,18 +38,14 @@ class WheelsetBalanceTest : public testing::Test
     }
   }
 
-  const unsigned seed_ = 20111U;
-  testing::ScopedTrace trace_{__FILE__, __LINE__, "seed " + std::to_string(seed_)};
-  std::mt19937 random_{seed_};
+  Seeded random_{20111U};
   ContactModelConfig scene_ = manchesterScene();
 };
-}  // namespace
 
 TEST_F(WheelsetBalanceTest, CentredWheelsetHasNoRollAndLoadsBothWheelsEqually)
 {
   WheelsetContact contact(scene_);
-  const WheelsetResult& result = contact.evaluate(stateAt(0, 1e5));
-  ASSERT_EQ(result.status, ContactStatus::ok);
+  const WheelsetResult& result = okResult(contact, stateAt(0, 1e5));
   EXPECT_NEAR(result.roll, 0, 1e-15);  // rounding of the axle height over the axle length
   EXPECT_EQ(result.rail.left.lateral_force, result.rail.right.lateral_force);
 }
@@ -60,8 +57,7 @@ TEST_F(WheelsetBalanceTest, EachWheelCarriesItsShareOfForceAndMoment)
   for (int i = 0; i < 100; ++i)
   {
     const WheelsetState state = randomState();
-    const WheelsetResult& result = contact.evaluate(state);
-    ASSERT_EQ(result.status, ContactStatus::ok) << result.reason << " at y " << state.y << " yaw " << state.yaw;
+    const WheelsetResult& result = okResult(contact, state);
     expectLoads(state, result, 1e-6);
   }
 }
@@ -72,8 +68,7 @@ TEST_F(WheelsetBalanceTest, LoadsRemainCorrectAfterManyWarmMessages)
   for (int i = 0; i < 1000; ++i)
   {
     const WheelsetState state = stateAt(4e-3 * std::sin(0.0125 * i), 1e5 * (1 + 0.3 * std::sin(0.07 * i)));
-    const WheelsetResult& result = contact.evaluate(state);
-    ASSERT_EQ(result.status, ContactStatus::ok) << result.reason << " at y " << state.y;
+    const WheelsetResult& result = okResult(contact, state);
     expectLoads(state, result, 1e-6);
   }
 }
@@ -82,9 +77,7 @@ TEST_F(WheelsetBalanceTest, LoadsRemainCorrectAfterManyWarmMessages)
 // thirtieth of the overlap, are corrected to first order.
 TEST_F(WheelsetBalanceTest, SolvedHeightAndRollAsInputGiveTheSameLoads)
 {
-  scene_.contact.method = NormalMethod::conjugate_gradient;
-  scene_.contact.cells_along = 16;
-  scene_.contact.cells_across = 64;
+  scene_.contact = {NormalMethod::conjugate_gradient, 0.01, 16, 64};
   for (const ComplianceTable& table : {ComplianceTable{}, softPads(), verySoftPads()})
   {
     bend(scene_, table);
@@ -95,14 +88,12 @@ TEST_F(WheelsetBalanceTest, SolvedHeightAndRollAsInputGiveTheSameLoads)
     {
       WheelsetState state = stateAt(y, 8e4);
       state.torque_x = 2e4;
-      const WheelsetResult& found = solved.evaluate(state);
-      ASSERT_EQ(found.status, ContactStatus::ok) << found.reason;
+      const WheelsetResult& found = okResult(solved, state);
       WheelsetState back = state;
       back.z = found.z;
       back.roll = found.roll;
       back.force_z = back.torque_x = 0;
-      const WheelsetResult& again = given.evaluate(back);
-      ASSERT_EQ(again.status, ContactStatus::ok) << again.reason;
+      const WheelsetResult& again = okResult(given, back);
       EXPECT_EQ(again.z, found.z);
       EXPECT_EQ(again.roll, found.roll);
       expectLoads(state, again, 0.005);
@@ -172,8 +163,7 @@ TEST_F(WheelsetBalanceTest, WheelsetComesDownAgainAfterLiftOff)
   WheelsetContact contact(scene_);
   const WheelsetResult before = contact.evaluate(stateAt(1e-3, 1e5));
   contact.evaluate(stateAt(1e-3, 0));
-  const WheelsetResult after = contact.evaluate(stateAt(1e-3, 1e5));
-  ASSERT_EQ(after.status, ContactStatus::ok);
+  const WheelsetResult after = okResult(contact, stateAt(1e-3, 1e5));
   EXPECT_NEAR(after.z, before.z, 1e-7);  // 0.1 % of a penetration of 80 um
   EXPECT_NEAR(wheelTotal(after, Side::left).max_pressure, wheelTotal(before, Side::left).max_pressure,
               0.02 * wheelTotal(before, Side::left).max_pressure);  // twice the tolerance
@@ -191,8 +181,7 @@ TEST_F(WheelsetBalanceTest, PressureIncreasesFromLightToHeavyLoads)
     {
       contact.reset();
       const WheelsetState state = stateAt(y, load);
-      const WheelsetResult& result = contact.evaluate(state);
-      ASSERT_EQ(result.status, ContactStatus::ok) << result.reason << " at " << load << " N";
+      const WheelsetResult& result = okResult(contact, state);
       expectLoads(state, result, 1e-6);
       const double pressure = wheelTotal(result, Side::right).max_pressure;
       EXPECT_GT(pressure, pressure_before);
@@ -211,23 +200,10 @@ TEST_F(WheelsetBalanceTest, MirroredStateHasTheMirroredResult)
   {
     scene_.rail_bending.model = soft ? RailBendingConfig::Model::compliance : RailBendingConfig::Model::none;
     scene_.rail_bending.table = softPads();
-    WheelsetContact contact(scene_), mirror(scene_);
-    for (int i = 0; i < 40; ++i)
-    {
-      const WheelsetState state = randomState();
-      if (i % 2 == 0)
-      {
-        contact.reset();
-        mirror.reset();
-      }
-      SCOPED_TRACE("y " + std::to_string(state.y) + " yaw " + std::to_string(state.yaw));
-      expectMirrorImage(contact.evaluate(state), mirror.evaluate(mirrored(state)));
-    }
+    expectMirroredResults(scene_, 40, [this] { return randomState(); });
   }
 }
 
-namespace
-{
 /// Height and roll of a wheelset on rigid rails, with a tolerance of 0.3 %.
 class RigidRailsTest : public testing::Test
 {
@@ -236,7 +212,6 @@ class RigidRailsTest : public testing::Test
   GridLevels levels_{config_};
   WheelsetBalance wheelset_{config_, levels_};
 };
-}  // namespace
 
 // On rigid rails with this rolling radius the balance is unique: the last result is only a start.
 TEST_F(RigidRailsTest, StartDoesNotChangeTheResult)
@@ -279,3 +254,4 @@ TEST_F(RigidRailsTest, AFailureHasNoLastingEffect)
   EXPECT_EQ(wheelset_.solve(stateAt(0, 1e5)), ContactStatus::ok);
   EXPECT_TRUE(wheelset_.reason().empty());
 }
+}  // namespace

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cmath>
-
 #include "../../manchester_scene.h"
+#include "../../usual_headers.h"
 
 namespace wheel_rail_contact::core
 {
@@ -25,6 +24,26 @@ inline WheelsetState stateAt(double y, double load, double yaw = 0)
   state.yaw = yaw;
   state.force_z = -2 * load;
   return state;
+}
+
+/// Result of a state. Any status but `ok` ends the test.
+inline const WheelsetResult& okResult(WheelsetContact& contact, const WheelsetState& state)
+{
+  const WheelsetResult& result = contact.evaluate(state);
+  if (result.status != ContactStatus::ok)
+  {
+    throw std::runtime_error(std::string(nameOf(result.status)) + " at y = " + std::to_string(state.y) + " m, yaw " +
+                             std::to_string(state.yaw) + " rad: " + result.reason);
+  }
+  return result;
+}
+
+/// Largest relative difference of highest pressure, area and approach [-].
+template <typename Contact>
+double difference(const PatchResult& found, const Contact& exact)
+{
+  return std::max({std::abs(found.max_pressure / exact.max_pressure - 1), std::abs(found.area / exact.area - 1),
+                   std::abs(found.approach / exact.approach - 1)});
 }
 
 /// Sums over the patches of a wheel.
