@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/normal/solvers/conjugate_gradients.h"
-#include "../../usual_headers.h"
+#include "../../refusal.h"
+#include "../../seeded.h"
 #include "dense_active_set.h"
 #include "problems.h"
 
@@ -56,36 +57,32 @@ INSTANTIATE_TEST_SUITE_P(Curvatures, HertzCurvature, testing::Values(1.0, 2.0, 5
 
 TEST(ConjugateGradients, AgreesWithTheDenseReference)
 {
-  constexpr unsigned seed = 11;
-  std::mt19937_64 random(seed);
+  Seeded64 random(11);
   ConjugateGradients solver = problems::solverTo(1e-9);
   for (int k = 0; k < 60; ++k)
   {
     const NormalProblem problem = randomProblem(random, 1 + k % 2);
-    const NormalSolution solution = problems::solved(solver, problem);
-    ASSERT_EQ(solution.status, SolveStatus::converged) << "seed " << seed << ", problem " << k;
+    const NormalSolution solution = problems::converged(solver, problem);
     const DenseActiveSet::Result exact = DenseActiveSet(problem).solve();
     for (std::size_t p = 0; p < problem.patches.size(); ++p)
     {
       const double largest = exact.pressure[p].maxCoeff();
       EXPECT_LE((solution.patches[p].pressure - exact.pressure[p]).abs().maxCoeff(), 1e-6 * std::max(largest, 1e6))
-          << "seed " << seed << ", problem " << k << ", patch " << p;
+          << "problem " << k << ", patch " << p;
     }
-    EXPECT_NEAR(solution.approach, exact.approach, 1e-8 * depth(problem, exact.approach)) << "seed " << seed;
+    EXPECT_NEAR(solution.approach, exact.approach, 1e-8 * depth(problem, exact.approach));
   }
 }
 
 TEST(ConjugateGradients, MeetsTheContactConditionsToTheStatedResidual)
 {
-  constexpr unsigned seed = 12;
-  std::mt19937_64 random(seed);
+  Seeded64 random(12);
   const ConjugateGradientsOptions options;
   ConjugateGradients solver(options);
   for (int k = 0; k < 100; ++k)
   {
     const NormalProblem problem = randomProblem(random, 1 + k % 3);
-    const NormalSolution solution = problems::solved(solver, problem);
-    ASSERT_EQ(solution.status, SolveStatus::converged) << "seed " << seed << ", problem " << k;
+    const NormalSolution solution = problems::converged(solver, problem);
     const double allowed = options.residual * depth(problem, solution.approach);
     for (std::size_t p = 0; p < problem.patches.size(); ++p)
     {
@@ -97,14 +94,13 @@ TEST(ConjugateGradients, MeetsTheContactConditionsToTheStatedResidual)
           Eigen::Map<const Eigen::ArrayXXd>(displacement.data(), pressure.rows(), pressure.cols());
       const Eigen::ArrayXXd w = u + patch.gap - patch.weight * solution.approach;
       EXPECT_GE(pressure.minCoeff(), 0);
-      EXPECT_GE(w.minCoeff(), -1.001 * allowed) << "seed " << seed << ", problem " << k;
-      EXPECT_LE((pressure > 0).select(w.abs(), 0.0).maxCoeff(), 1.001 * allowed)
-          << "seed " << seed << ", problem " << k;
+      EXPECT_GE(w.minCoeff(), -1.001 * allowed) << "problem " << k;
+      EXPECT_LE((pressure > 0).select(w.abs(), 0.0).maxCoeff(), 1.001 * allowed) << "problem " << k;
       EXPECT_LE((solution.patches[p].displacement - u).abs().maxCoeff(), 1e-12 * u.maxCoeff());
     }
     if (problem.control == NormalProblem::Control::load)
     {
-      EXPECT_NEAR(loadOf(problem, solution) / problem.value, 1, 1e-13) << "seed " << seed << ", problem " << k;
+      EXPECT_NEAR(loadOf(problem, solution) / problem.value, 1, 1e-13) << "problem " << k;
     }
     EXPECT_LE(solution.residual, options.residual);
   }
@@ -116,8 +112,7 @@ TEST(ConjugateGradients, NeedsFewProducts)
   ConjugateGradients solver;
   for (const double ratio : {1.0, 2.0, 5.0, 10.0})
   {
-    NormalSolution solution;
-    solver.solve(hertzCase(ratio, 16, 32, true).problem, false, solution);
+    NormalSolution solution = solved(solver, hertzCase(ratio, 16, 32, true).problem);
     EXPECT_LE(solution.iterations, 8) << "ratio " << ratio;
     solver.solve(hertzCase(ratio, 16, 32, true, 1.1, 0.1).problem, true, solution);
     EXPECT_EQ(solution.status, SolveStatus::converged);
@@ -128,9 +123,8 @@ TEST(ConjugateGradients, NeedsFewProducts)
 TEST(ConjugateGradients, SymmetricGridGivesTheResultOfTheFullGrid)
 {
   ConjugateGradients solver = problems::solverTo(1e-9);
-  NormalSolution full, half;
-  solver.solve(hertzCase(3, 16, 24, false).problem, false, full);
-  solver.solve(hertzCase(3, 16, 24, true).problem, false, half);
+  const NormalSolution full = solved(solver, hertzCase(3, 16, 24, false).problem);
+  const NormalSolution half = solved(solver, hertzCase(3, 16, 24, true).problem);
   const double largest = full.patches[0].max_pressure;
   EXPECT_LE((full.patches[0].pressure.bottomRows(8) - half.patches[0].pressure).abs().maxCoeff(), 1e-7 * largest);
   EXPECT_LE((full.patches[0].pressure.topRows(8).colwise().reverse() - half.patches[0].pressure).abs().maxCoeff(),
@@ -143,14 +137,12 @@ TEST(ConjugateGradients, SymmetricGridGivesTheResultOfTheFullGrid)
 
 TEST(ConjugateGradients, WarmStartGivesTheColdResult)
 {
-  constexpr unsigned seed = 14;
-  std::mt19937_64 random(seed);
+  Seeded64 random(14);
   ConjugateGradients solver = problems::solverTo(1e-9);
   for (int k = 0; k < 40; ++k)
   {
     NormalProblem problem = randomProblem(random, 1 + k % 2);
-    NormalSolution warm, cold;
-    solver.solve(problem, false, warm);
+    NormalSolution warm = solved(solver, problem);
     // The next message: another position, load and cell size. The cell aspects stay the same in half of the cases.
     for (PatchGap& patch : problem.patches)
     {
@@ -162,13 +154,13 @@ TEST(ConjugateGradients, WarmStartGivesTheColdResult)
     }
     problem.value *= problem.control == NormalProblem::Control::load ? 1.1 : 1;
     solver.solve(problem, true, warm);
-    solver.solve(problem, false, cold);
-    ASSERT_EQ(warm.status, cold.status) << "seed " << seed << ", problem " << k;
+    const NormalSolution cold = solved(solver, problem);
+    ASSERT_EQ(warm.status, cold.status) << "problem " << k;
     for (std::size_t p = 0; p < problem.patches.size(); ++p)
     {
       EXPECT_LE((warm.patches[p].pressure - cold.patches[p].pressure).abs().maxCoeff(),
                 1e-6 * std::max(cold.patches[p].pressure.maxCoeff(), 1e6))
-          << "seed " << seed << ", problem " << k;
+          << "problem " << k;
     }
   }
 }
@@ -177,8 +169,7 @@ TEST(ConjugateGradients, SolvesAgainAfterThePressureWasChanged)
 {
   ConjugateGradients solver;
   const auto hertz = hertzCase(2, 16, 32, true);
-  NormalSolution solution;
-  solver.solve(hertz.problem, false, solution);
+  NormalSolution solution = solved(solver, hertz.problem);
   const NormalSolution first = solution;
   solver.solve(hertz.problem, true, solution);
   EXPECT_EQ(solution.iterations, 0) << "already solved";
@@ -200,8 +191,7 @@ TEST(ConjugateGradients, SolvesContactsOfOneToEightCells)
   {
     auto hertz = hertzCase(1.7, 8, 16, k % 2 == 0, 1.1, 0.3);
     hertz.problem.value *= std::pow(10, -0.2 * k);
-    const NormalSolution solution = problems::solved(solver, hertz.problem);
-    ASSERT_EQ(solution.status, SolveStatus::converged) << "load " << hertz.problem.value << " N";
+    const NormalSolution solution = problems::converged(solver, hertz.problem);
     EXPECT_NEAR(loadOf(hertz.problem, solution) / hertz.problem.value, 1, 1e-13);
     const DenseActiveSet::Result exact = DenseActiveSet(hertz.problem).solve();
     EXPECT_LE((solution.patches[0].pressure - exact.pressure[0]).abs().maxCoeff(), 1e-7 * exact.pressure[0].maxCoeff())
@@ -210,11 +200,9 @@ TEST(ConjugateGradients, SolvesContactsOfOneToEightCells)
   }
   EXPECT_LE(fewest, 2);
 }
-}  // namespace
 
 // Status and flags of the solver, and the problems that it rejects.
-namespace
-{
+
 /// Solution of a contact to a residual in at most `max_products` products.
 NormalSolution solvedTo(double residual, int max_products)
 {
@@ -314,18 +302,8 @@ TEST(ConjugateGradients, RejectsAnIndefiniteMatrix)
 
 TEST(ConjugateGradients, RejectsInvalidOptionsByName)
 {
-  const auto message = [](double residual, int max_products) -> std::string
-  {
-    try
-    {
-      problems::solverTo(residual, max_products);
-      return "accepted";
-    }
-    catch (const std::invalid_argument& error)
-    {
-      return error.what();
-    }
-  };
+  const auto message = [](double residual, int max_products)
+  { return refusalOf([=] { problems::solverTo(residual, max_products); }); };
   EXPECT_EQ(message(1e-4, 10), "accepted");
   EXPECT_EQ(message(0, 10), "residual = 0.000000: must be in (0, 1)");
   EXPECT_EQ(message(1e-4, 0), "max_products = 0: must be positive");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/normal/measures/contact_edge.h"
 
+#include "../../seeded.h"
 #include "../../usual_headers.h"
 #include "core/normal/estimate/error_estimate.h"
 #include "core/normal/solvers/conjugate_gradients.h"
@@ -36,10 +37,8 @@ Eigen::ArrayXXd askewPressure(std::mt19937& random)
 
 TEST(ContactEdge, AreaIsIndependentOfOrientationAndScale)
 {
-  constexpr unsigned seed = 5;
   constexpr double aspect = 2.3, tolerance = 1e-5;  // sums in single precision [cells]
-  std::cout << "seed " << seed << "\n";
-  std::mt19937 random(seed);
+  Seeded random(5);
   for (int k = 0; k < 20; ++k)
   {
     const Eigen::ArrayXXd pressure = askewPressure(random);
@@ -54,9 +53,7 @@ TEST(ContactEdge, AreaIsIndependentOfOrientationAndScale)
 
 TEST(ContactEdge, AreaOfAStoredHalfIsHalfOfTheWhole)
 {
-  constexpr unsigned seed = 6;
-  std::cout << "seed " << seed << "\n";
-  std::mt19937 random(seed);
+  Seeded random(6);
   for (int k = 0; k < 20; ++k)
   {
     const Eigen::ArrayXXd half = askewPressure(random).bottomRows(9);
@@ -77,9 +74,7 @@ int islandsOf(const Eigen::ArrayXXd& pressure, bool mirrored = false)
 
 TEST(ContactEdge, TwoIslandsHaveTwiceTheAreaOfOne)
 {
-  constexpr unsigned seed = 8;
-  std::cout << "seed " << seed << "\n";
-  std::mt19937 random(seed);
+  Seeded random(8);
   for (int k = 0; k < 20; ++k)
   {
     const Eigen::ArrayXXd one = askewPressure(random);
@@ -148,12 +143,9 @@ TEST(ContactEdge, EachLineIsCrossedWhereItsPressureBeginsAndEnds)
   EXPECT_GT(polygon.chords(), 0);
   EXPECT_EQ(polygon.crossings().size(), 2U * (3 + 5));
 }
-}  // namespace
 
 // Waves of a gap that are narrower than the cells: the cells do not show them, but the slopes of the gap do.
 
-namespace
-{
 constexpr double width = 16e-3;  ///< of the grid [m]
 constexpr int columns = 32;      ///< of the grid that does not resolve the wave
 constexpr double wave = width / columns;
@@ -170,8 +162,7 @@ NormalProblem wavyBowl(int nx, int ny, double amplitude)
 PatchPressure solvedWithEstimate(const NormalProblem& problem, double& estimate)
 {
   ConjugateGradients solver;
-  const NormalSolution solution = problems::solved(solver, problem);
-  EXPECT_EQ(solution.status, SolveStatus::converged);
+  const NormalSolution solution = problems::converged(solver, problem);
   estimate = errorsOf(solver, problem, solution)[0].max_pressure;
   return solution.patches[0];
 }
@@ -190,7 +181,6 @@ Eigen::ArrayXd unseenSlope(const Grid& grid, Gap gap)
                   });
   return patch.unseen_slope;
 }
-}  // namespace
 
 // The peak under a yawed wheel is oblique to the grid: next to x = 0 the slope of the gap across is different. If this
 // counted as unseen, estimates of 0.1 % would become up to 4 %. The central differences of the slopes have rounding
@@ -237,3 +227,4 @@ TEST(UnseenSlope, EstimateIncludesWavesNarrowerThanTheCells)
     EXPECT_LT(blind, error) << amplitude;
   }
 }
+}  // namespace

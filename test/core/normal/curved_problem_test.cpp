@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Cholesky>
 
+#include "../../seeded.h"
 #include "../../usual_headers.h"
 #include "core/constants.h"
 #include "core/normal/solvers/conjugate_gradients.h"
@@ -44,13 +45,11 @@ void expectEqual(const CurvedProblem& problem, const NormalSolution& solution)
     EXPECT_LE((solution.patches[k].pressure - exact.pressure[k]).abs().maxCoeff(), 1e-5 * highest);
   }
 }
-}  // namespace
 
 // The residual of 1e-9 is relative to the overlap; the pressures of single cells differ by more.
 TEST(ColumnFields, WeightsAndTurnedNormalsGiveTheExactSolution)
 {
-  std::cout << "seed " << column_seed << "\n";
-  std::mt19937_64 random(column_seed);
+  Seeded64 random(column_seed);
   for (int scene = 0; scene < 12; ++scene)
   {
     SCOPED_TRACE(scene);
@@ -77,7 +76,7 @@ TEST(ColumnFields, WeightsAndTurnedNormalsGiveTheExactSolution)
 
 TEST(ColumnFields, ColumnsWithEqualNormalsAreOnePlane)
 {
-  std::mt19937_64 random(column_seed);
+  Seeded64 random(column_seed);
   CurvedProblem problem = problems::curved(problems::randomProblem(random, 1));
   const NormalSolution plane = solved(problem);
   PatchGap& patch = problem.patches[0];
@@ -92,7 +91,7 @@ TEST(ColumnFields, ColumnsWithEqualNormalsAreOnePlane)
 
 TEST(ColumnFields, LoadIsTheWeightedSumOfTheForcesOfTheColumns)
 {
-  std::mt19937_64 random(column_seed);
+  Seeded64 random(column_seed);
   CurvedProblem problem = problems::curved(problems::randomProblem(random, 1));
   const NormalSolution first = solved(problem);
   problem.control = NormalProblem::Control::load;
@@ -106,7 +105,7 @@ TEST(ColumnFields, LoadIsTheWeightedSumOfTheForcesOfTheColumns)
 
 TEST(ColumnFields, AWarmStartGivesTheSameSolutionWithAtMostTwoProducts)
 {
-  std::mt19937_64 random(column_seed);
+  Seeded64 random(column_seed);
   CurvedProblem problem = problems::curved(problems::randomProblem(random, 1));
   turnColumns(random, problem);
   const NormalSolution cold = solved(problem);
@@ -119,7 +118,7 @@ TEST(ColumnFields, AWarmStartGivesTheSameSolutionWithAtMostTwoProducts)
 // The displacement of a plane patch does not belong to the turned one.
 TEST(ColumnFields, AWarmStartFromThePlanePatchGivesTheTurnedSolution)
 {
-  std::mt19937_64 random(column_seed);
+  Seeded64 random(column_seed);
   CurvedProblem problem = problems::curved(problems::randomProblem(random, 1));
   const NormalSolution plane = solved(problem);
   turnColumns(random, problem);
@@ -135,7 +134,7 @@ TEST(ColumnFields, AWarmStartFromThePlanePatchGivesTheTurnedSolution)
 
 TEST(ColumnFields, WeightsOfAnotherNumberOfColumnsAreRefused)
 {
-  std::mt19937_64 random(column_seed);
+  Seeded64 random(column_seed);
   CurvedProblem problem = problems::curved(problems::randomProblem(random, 1));
   problem.normals[0].weight = Eigen::ArrayXd::Ones(1);
   EXPECT_EQ(solved(problem).status, SolveStatus::invalid_problem);
@@ -148,7 +147,7 @@ TEST(ColumnFields, WeightsOfAnotherNumberOfColumnsAreRefused)
 // Hertz, Kik-Piotrowski and Seidel solve the problem with one normal for each patch, and state this.
 TEST(ColumnFields, OtherMethodsSayWhatTheyLeaveOut)
 {
-  std::mt19937_64 random(column_seed);
+  Seeded64 random(column_seed);
   CurvedProblem problem = problems::curved(problems::hertzCase(2, 16, 32, true).problem);
   turnColumns(random, problem);
   for (const NormalMethod method : {NormalMethod::hertz, NormalMethod::kik_piotrowski, NormalMethod::seidel})
@@ -169,8 +168,6 @@ TEST(ColumnFields, OtherMethodsSayWhatTheyLeaveOut)
   EXPECT_EQ(makeNormalSolver(NormalMethod::seidel)->leftOut(problem), "patch coupling");
 }
 
-namespace
-{
 constexpr unsigned seed = 11;
 
 /// Openings by a displacement along the normals and by a rotation about x, in each column.
@@ -216,12 +213,10 @@ Eigen::MatrixXd denseStiffness(const CurvedProblem& problem, const NormalSolutio
   }
   return patch.grid.cellArea() * right.transpose() * matrix.llt().solve(right);
 }
-}  // namespace
 
 TEST(ContactTangent, AgreesWithAFactorisationOfTheMatrix)
 {
-  std::cout << "seed " << seed << "\n";
-  std::mt19937_64 random(seed);
+  Seeded64 random(seed);
   for (int scene = 0; scene < 8; ++scene)
   {
     SCOPED_TRACE(scene);
@@ -259,7 +254,7 @@ TEST(ContactTangent, OfAHertzContactIsThreeHalvesOfTheSecantStiffness)
 
 TEST(ContactTangent, OfTwoPatchesIsTheSumOfBoth)
 {
-  std::mt19937_64 random(seed);
+  Seeded64 random(seed);
   const CurvedProblem both = problems::curved(problems::randomProblem(random, 2));
   const NormalSolution solution = solved(both);
   std::vector<Eigen::ArrayXXd> openings;
@@ -279,8 +274,7 @@ TEST(ContactTangent, OfTwoPatchesIsTheSumOfBoth)
 }
 
 // Patches that deform one another (CurvedProblem::coupling).
-namespace
-{
+
 /// Displacement of each column of two patches by the forces in the columns of the other: that of a point force on a
 /// half-space (Johnson 1985, eq. 3.22b), at the root of `distance`² + `spread`² [m].
 template <typename Distance>
@@ -362,14 +356,12 @@ std::array<double, 2> forcesOfHalves(const PatchPressure& patch)
   const double area = patch.grid.cellArea();
   return {area * patch.pressure.leftCols(half).sum(), area * patch.pressure.rightCols(half).sum()};
 }
-}  // namespace
 
 // The work of one pressure on the displacements by another is the work of the other on the displacements by the first.
 // Tolerance: the solution keeps its displacement from step to step.
 TEST(PatchCoupling, WorkOfTwoPressuresIsSymmetric)
 {
-  std::cout << "seed " << seed << "\n";
-  std::mt19937_64 random(seed);
+  Seeded64 random(seed);
   for (int scene = 0; scene < 10; ++scene)
   {
     CurvedProblem problem = randomCoupledProblem(random);
@@ -458,4 +450,5 @@ TEST(PatchCoupling, ACouplingOfTheWrongSizeIsAnInvalidProblem)
   problem.coupling(0, columns - 1) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(solved(problem).status, SolveStatus::invalid_problem);
 }
+}  // namespace
 }  // namespace wheel_rail_contact::core

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <Eigen/Cholesky>
-#include <stdexcept>
-#include <vector>
 
 #include "problems.h"
 

@@ -98,13 +98,11 @@ NormalProblem paraboloid(const GridSize& size, double along, double across)
 TEST(ErrorEstimate, DecreasesWithTheCellSize)
 {
   ConjugateGradients solver;
-  NormalSolution solution;
   double before = 1;
   for (const GridSize& size : {GridSize{4, 16}, GridSize{8, 24}, GridSize{16, 48}, GridSize{32, 96}})
   {
     const NormalProblem problem = paraboloid(size, 1.1, 2.0);
-    solver.solve(problem, false, solution);
-    ASSERT_EQ(solution.status, SolveStatus::converged);
+    const NormalSolution solution = problems::converged(solver, problem);
     const double estimate = errorsOf(solver, problem, solution)[0].largest();
     EXPECT_GT(estimate, 0);
     EXPECT_LT(estimate, 0.6 * before);
@@ -118,13 +116,9 @@ TEST(ErrorEstimate, IsTheSameWithAndWithoutSymmetry)
   PatchGap& patch = whole.patches[0];
   patch.grid.symmetric = false;
   scenes::sample([](double x, double y) { return 1.1 * x * x + 2.0 * y * y; }, patch);
-  ConjugateGradientsOptions strict;
-  strict.residual = 1e-9;
-  ConjugateGradients solver(strict);
-  NormalSolution from_half, from_whole;
-  solver.solve(half, false, from_half);
-  solver.solve(whole, false, from_whole);
-  const ErrorEstimate a = errorsOf(solver, half, from_half)[0], b = errorsOf(solver, whole, from_whole)[0];
+  ConjugateGradients solver = problems::solverTo(1e-9);
+  const ErrorEstimate a = errorsOf(solver, half, problems::solved(solver, half))[0],
+                      b = errorsOf(solver, whole, problems::solved(solver, whole))[0];
   EXPECT_NEAR(a.max_pressure, b.max_pressure, 1e-4 * a.max_pressure);
   EXPECT_NEAR(a.area, b.area, 1e-4 * a.area);
   EXPECT_NEAR(a.approach, b.approach, 1e-4 * a.approach);
@@ -140,13 +134,12 @@ struct PeakError
 PeakError peakError(NormalProblem problem, const scenes::Gap& gap)
 {
   ConjugateGradients solver;
-  NormalSolution coarse, fine;
   scenes::sample(gap, problem.patches[0]);
-  solver.solve(problem, false, coarse);
+  const NormalSolution coarse = problems::solved(solver, problem);
   const double estimate = errorsOf(solver, problem, coarse)[0].max_pressure;
   problem.patches[0].grid = scenes::refined(problem.patches[0].grid, scenes::finer);
   scenes::sample(gap, problem.patches[0]);
-  solver.solve(problem, false, fine);
+  const NormalSolution fine = problems::solved(solver, problem);
   EXPECT_EQ(coarse.status, SolveStatus::converged);
   EXPECT_EQ(fine.status, SolveStatus::converged);
   return {std::abs(coarse.patches[0].max_pressure / fine.patches[0].max_pressure - 1), estimate};
@@ -252,9 +245,7 @@ TEST(ErrorEstimate, IsZeroForAPatchWithoutPressure)
   problem.patches.push_back(problem.patches[0]);
   problem.patches[1].gap += 1e-3;
   ConjugateGradients solver;
-  NormalSolution solution;
-  solver.solve(problem, false, solution);
-  ASSERT_EQ(solution.status, SolveStatus::converged);
+  const NormalSolution solution = problems::converged(solver, problem);
   EXPECT_EQ(errorsOf(solver, problem, solution)[1].largest(), 0);
   EXPECT_GT(errorsOf(solver, problem, solution)[0].largest(), 0);
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <map>
-
 #include "../../usual_headers.h"
 #include "core/balance/patch_result.h"
 #include "core/balance/wheelset_balance.h"
@@ -36,11 +34,7 @@ inline GapScene randomGapScene(Method method, Random& random)
 /// Sample of one patch.
 struct ErrorSample
 {
-  const char* kind = "";
-  GridSize size;
-  bool alone = false;  ///< the only patch of its problem
-  ErrorTerms terms;    ///< of Method::grid
-  ShapeTerms shape{};  ///< of the other methods
+  ErrorTerms terms;  ///< of Method::grid
   ErrorEstimate estimate;
   ErrorEstimate error;  ///< true error
 };
@@ -50,21 +44,8 @@ constexpr int finer = 4;  ///< cells of the reference over cells of the sample, 
 constexpr GridSize closed_form_truth{96, 256};
 
 /// Grids of many shapes, coarse to fine, including some that `auto` does not use.
-constexpr std::array<GridSize, 15> grids{{{4, 16},
-                                          {8, 16},
-                                          {8, 24},
-                                          {10, 24},
-                                          {12, 24},
-                                          {12, 32},
-                                          {16, 32},
-                                          {16, 48},
-                                          {12, 64},
-                                          {16, 64},
-                                          {24, 48},
-                                          {16, 96},
-                                          {32, 64},
-                                          {32, 96},
-                                          {48, 96}}};
+constexpr GridSize grids[] = {{4, 16},  {8, 16},  {8, 24},  {10, 24}, {12, 24}, {12, 32}, {16, 32}, {16, 48},
+                              {12, 64}, {16, 64}, {24, 48}, {16, 96}, {32, 64}, {32, 96}, {48, 96}};
 
 inline std::unique_ptr<NormalSolver> makeSolver(Method method, double residual)
 {
@@ -87,27 +68,14 @@ inline std::unique_ptr<NormalSolver> makeSolver(Method method, double residual)
 }
 
 /// Fills terms and estimate. `own_approach` is that of the patch [m].
-inline ErrorSample describe(const char* kind, Method method, const NormalSolver& solver, const NormalProblem& problem,
+inline ErrorSample describe(Method method, const NormalSolver& solver, const NormalProblem& problem,
                             const NormalSolution& solution, std::size_t patch, double own_approach)
 {
   ErrorSample sample;
-  sample.kind = kind;
-  sample.size = {problem.patches[patch].grid.nx, problem.patches[patch].grid.ny};
-  sample.alone = problem.patches.size() == 1;
-  const double residual = solution.residual * (sample.alone ? 1 : solution.approach / own_approach);
-  switch (method)
+  if (method == Method::grid)
   {
-    case Method::grid:
-    case Method::seidel:
-    case Method::seidel_printed:
-      sample.terms = errorTerms(problem.patches[patch], solution.patches[patch], problem.modulus, residual);
-      break;
-    case Method::hertz:
-      sample.shape = HertzSolver::errorTerms(problem, solution, patch);
-      break;
-    case Method::kik_piotrowski:
-      sample.shape = KikPiotrowski::errorTerms(problem, solution, patch);
-      break;
+    const double residual = solution.residual * (problem.patches.size() == 1 ? 1 : solution.approach / own_approach);
+    sample.terms = errorTerms(problem.patches[patch], solution.patches[patch], problem.modulus, residual);
   }
   sample.estimate = errorsOf(solver, problem, solution)[patch];
   return sample;
@@ -124,8 +92,22 @@ inline ErrorEstimate relativeErrors(const PatchPressure& found, double found_app
 class GapSampler
 {
  public:
-  /// Solves a scene by `solver` on a random box with `size` cells, and the reference truth() on finer cells. Returns
-  /// false if there is no usable reference (a patch without pressure, or no box found) or no result of the method.
+  /// Adds a sample for every patch. Returns false under the conditions of solve(), or if a patch has no pressure on the
+  /// cells of the sample.
+  bool sample(Method method, const GapScene& scene, const GridSize& size, Random& random,
+              std::vector<ErrorSample>& samples)
+  {
+    const auto solver = makeSolver(method, spread(random, 1e-5, 1e-3));
+    return solve(method, *solver, scene, size, random) && add(method, *solver, samples);
+  }
+
+ private:
+  static constexpr double modulus = 1.14e11;  ///< steel on steel [Pa]
+  static constexpr int most_boxes = 12;
+  static constexpr double margin = 1.1;  ///< margin of the boxes that the package uses [-]
+
+  /// Solves a scene by `solver` on a random box with `size` cells, and the reference on finer cells. Returns false if
+  /// there is no usable reference (a patch without pressure, or no box found) or no result of the method.
   bool solve(Method method, NormalSolver& solver, const GapScene& scene, const GridSize& size, Random& random)
   {
     problem_.modulus = modulus;
@@ -157,25 +139,6 @@ class GapSampler
            std::all_of(true_.patches.begin(), true_.patches.end(),
                        [](const PatchPressure& patch) { return patch.force > 0 && !patch.touches_border; });
   }
-  /// Problem and solution of the last solve(), and the reference.
-  const NormalProblem& problem() const { return coarse_; }
-  const NormalSolution& found() const { return found_; }
-  const NormalSolution& truth() const { return true_; }
-
-  /// Adds a sample for every patch. Returns false under the conditions of solve(), or if a patch has no pressure on the
-  /// cells of the sample.
-  bool sample(Method method, const GapScene& scene, const GridSize& size, Random& random,
-              std::vector<ErrorSample>& samples)
-  {
-    const auto solver = makeSolver(method, spread(random, 1e-5, 1e-3));
-    return solve(method, *solver, scene, size, random) && add(scene.kind, method, *solver, samples);
-  }
-
- private:
-  static constexpr double modulus = 1.14e11;  ///< steel on steel [Pa]
-  static constexpr int most_boxes = 12;
-  static constexpr double margin = 1.1;  ///< margin of the boxes that the package uses [-]
-
   void fill(const GapScene& scene)
   {
     for (std::size_t k = 0; k < scene.patches.size(); ++k)
@@ -245,7 +208,7 @@ class GapSampler
     return covering(tight, length, middleOf(tight) + shift, width, size);
   }
 
-  bool add(const char* kind, Method method, const NormalSolver& solver, std::vector<ErrorSample>& samples) const
+  bool add(Method method, const NormalSolver& solver, std::vector<ErrorSample>& samples) const
   {
     for (std::size_t k = 0; k < coarse_.patches.size(); ++k)
     {
@@ -255,7 +218,7 @@ class GapSampler
       {
         return false;
       }
-      ErrorSample sample = describe(kind, method, solver, coarse_, found_, k, found_approach);
+      ErrorSample sample = describe(method, solver, coarse_, found_, k, found_approach);
       sample.error = relativeErrors(found_.patches[k], found_approach, true_.patches[k], true_approach);
       samples.push_back(sample);
     }
@@ -314,13 +277,7 @@ class WheelsetSampler
   /// not hold for both wheels, or if the scene has no solution.
   bool sample(const WheelsetScene& scene, const GridSize& size, std::vector<ErrorSample>& samples)
   {
-    return sample(scene, size, {finer * size.along, finer * size.across}, samples);
-  }
-
-  /// The same against a reference on `true_size` cells.
-  bool sample(const WheelsetScene& scene, const GridSize& size, const GridSize& true_size,
-              std::vector<ErrorSample>& samples)
-  {
+    const GridSize true_size{finer * size.along, finer * size.across};
     ContactModelConfig strict = scene.config;
     strict.contact.tolerance = 1e-4;
     ContactModelConfig settled = scene.config;
@@ -351,12 +308,10 @@ class WheelsetSampler
     if (!levels)
     {
       ContactModelConfig config;
-      config.contact.method = method == Method::grid    ? NormalMethod::conjugate_gradient
-                              : method == Method::hertz ? NormalMethod::hertz
-                                                        : NormalMethod::kik_piotrowski;
-      config.contact.cells_along = size.along;
-      config.contact.cells_across = size.across;
-      config.contact.tolerance = settledTolerance(size);
+      const NormalMethod solved_by = method == Method::grid    ? NormalMethod::conjugate_gradient
+                                     : method == Method::hertz ? NormalMethod::hertz
+                                                               : NormalMethod::kik_piotrowski;
+      config.contact = {solved_by, settledTolerance(size), size.along, size.across};
       levels = std::make_unique<GridLevels>(config);
     }
     return *levels;
@@ -384,7 +339,7 @@ class WheelsetSampler
     for (std::size_t k = 0; alike && k < count; ++k)
     {
       const double approach = approachOf(side, balance, k);
-      ErrorSample sample = describe("wheelset", method_, solver, found.problem(), found.solution(), k, approach);
+      ErrorSample sample = describe(method_, solver, found.problem(), found.solution(), k, approach);
       sample.error =
           relativeErrors(found.solution().patches[k], approach, fine.solution().patches[k], approachOf(side, truth, k));
       samples.push_back(sample);

@@ -35,8 +35,7 @@ TEST(HertzSolver, IsExactOnBowls)
     {
       const auto hertz = hertzCase(ratio, 8, 24, symmetric, 1.2, 0.37);
       HertzSolver solver;
-      const NormalSolution solution = problems::solved(solver, hertz.problem);
-      ASSERT_EQ(solution.status, SolveStatus::converged);
+      const NormalSolution solution = problems::converged(solver, hertz.problem);
       const PatchPressure& patch = solution.patches[0];
       EXPECT_NEAR(patch.max_pressure / hertz.exact.max_pressure, 1, 1e-9) << ratio;
       EXPECT_NEAR(patch.area / hertz.exact.area, 1, 1e-9) << ratio;
@@ -82,7 +81,6 @@ TEST(HertzSolver, PressuresOnAnyGridCarryTheForce)
     bool cut;
   };
   HertzSolver solver;
-  NormalSolution solution;
   for (const Cells& cells : {Cells{0.15, 100, 90, false}, {1, 12, 12, false}, {1, 9, 6, true}, {20, 4, 4, false}})
   {
     for (const double angle : {0.0, 0.7})
@@ -93,7 +91,7 @@ TEST(HertzSolver, PressuresOnAnyGridCarryTheForce)
         const Grid grid{cells.along, cells.across, size, size, (shift - 0.5 * cells.across) * size, false};
         const GapCurvature curvature{2, 90};
         const NormalProblem problem = underLoad(sampled(grid, turnedBowl(curvature, angle, 0, 0)), 2e4);
-        solver.solve(problem, false, solution);
+        const NormalSolution solution = problems::solved(solver, problem);
         const PatchPressure& patch = solution.patches[0];
         const std::string label = std::to_string(cells.size) + " mm, rotated by " + std::to_string(angle);
         ASSERT_EQ(solution.status, SolveStatus::converged) << label;
@@ -145,8 +143,7 @@ TEST(HertzSolver, PatchesShareTheLoadAtOneApproach)
   problem.patches[1].weight = 0.7;
   problem.patches[2].gap += 1;  // does not touch
   HertzSolver solver;
-  const NormalSolution solution = problems::solved(solver, problem);
-  ASSERT_EQ(solution.status, SolveStatus::converged);
+  const NormalSolution solution = problems::converged(solver, problem);
   EXPECT_NEAR((solution.patches[0].force + 0.7 * solution.patches[1].force) / problem.value, 1, 1e-10);
   const GapCurvature second = hertzCase(6, 16, 32, true).gap;
   const HertzContact exact = hertzForApproach(second, steel(), 0.7 * solution.approach - 2e-5);
@@ -173,13 +170,13 @@ TYPED_TEST(ClosedForm, RejectsAGapWithoutPositiveCurvature)
 {
   const Grid grid = centredGrid(16, 32, 0.02, 0.02, true);
   TypeParam solver;
-  NormalSolution solution;
-  // A valley and a saddle.
-  solver.solve(underLoad(sampled(grid, [](double, double y) { return y * y; }), 1e4), false, solution);
-  EXPECT_EQ(solution.status, SolveStatus::no_positive_curvature);
-  EXPECT_FALSE(isUsable(solution.status));
-  solver.solve(underLoad(sampled(grid, [](double x, double y) { return y * y - 0.1 * x * x; }), 1e4), false, solution);
-  EXPECT_EQ(solution.status, SolveStatus::no_positive_curvature);
+  for (const double saddle : {0.0, 0.1})  // a valley and a saddle
+  {
+    const auto gap = [saddle](double x, double y) { return y * y - saddle * x * x; };
+    const SolveStatus status = problems::solved(solver, underLoad(sampled(grid, gap), 1e4)).status;
+    EXPECT_EQ(status, SolveStatus::no_positive_curvature);
+    EXPECT_FALSE(isUsable(status));
+  }
 }
 
 TEST(HertzSolver, PredictsItsErrorFromASolutionOnAGrid)
@@ -191,9 +188,7 @@ TEST(HertzSolver, PredictsItsErrorFromASolutionOnAGrid)
   const NormalProblem problem = underLoad(sampled(grid, discontinuity), 5e4);
   HertzSolver hertz;
   ConjugateGradients conjugate_gradients;
-  NormalSolution own, on_grid;
-  hertz.solve(problem, false, own);
-  conjugate_gradients.solve(problem, false, on_grid);
+  const NormalSolution own = problems::solved(hertz, problem), on_grid = problems::solved(conjugate_gradients, problem);
   ASSERT_TRUE(isUsable(own.status) && isUsable(on_grid.status));
   const ErrorEstimate from_own = errorsOf(hertz, problem, own)[0];
   const ErrorEstimate from_grid = errorsOf(hertz, problem, on_grid)[0];
@@ -222,17 +217,14 @@ TEST(HertzSolver, RejectsAPatchThatCarriesNoLoadWithoutPositiveCurvature)
 TEST(HertzSolver, FlagsAGridThatCutsTheEllipse)
 {
   HertzSolver solver;
-  NormalSolution solution;
-  for (const double margin : {0.9, 1.1})
+  const auto flagged = [&](const NormalProblem& problem)
+  { return problems::solved(solver, problem).patches[0].touches_border; };
+  for (const bool symmetric : {true, false})
   {
-    for (const bool symmetric : {true, false})
-    {
-      solver.solve(hertzCase(2, 16, 32, symmetric, margin).problem, false, solution);
-      EXPECT_EQ(solution.patches[0].touches_border, margin < 1) << margin;
-    }
+    EXPECT_TRUE(flagged(hertzCase(2, 16, 32, symmetric, 0.9).problem));
+    EXPECT_FALSE(flagged(hertzCase(2, 16, 32, symmetric, 1.1).problem));
   }
-  solver.solve(hertzCase(2, 16, 32, true, 1.1, 4).problem, false, solution);
-  EXPECT_TRUE(solution.patches[0].touches_border);
+  EXPECT_TRUE(flagged(hertzCase(2, 16, 32, true, 1.1, 4).problem));
 }
 
 TYPED_TEST(ClosedForm, ReportsNoContactBeforeFirstTouch)
@@ -251,13 +243,10 @@ TYPED_TEST(ClosedForm, ReportsNoContactBeforeFirstTouch)
 TEST(HertzSolver, RejectsInvalidProblems)
 {
   HertzSolver solver;
-  NormalSolution solution;
   NormalProblem problem = hertzCase(2, 16, 32, true).problem;
   problem.patches[0].gap(3, 4) = std::nan("");
-  solver.solve(problem, false, solution);
-  EXPECT_EQ(solution.status, SolveStatus::invalid_problem);
-  solver.solve(hertzCase(2, 16, 2, true).problem, false, solution);
-  EXPECT_EQ(solution.status, SolveStatus::invalid_problem);
+  EXPECT_EQ(problems::solved(solver, problem).status, SolveStatus::invalid_problem);
+  EXPECT_EQ(problems::solved(solver, hertzCase(2, 16, 2, true).problem).status, SolveStatus::invalid_problem);
 }
 }  // namespace
 }  // namespace wheel_rail_contact::core

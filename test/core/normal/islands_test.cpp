@@ -41,7 +41,6 @@ class IslandsTest : public testing::Test
   NormalSolution solution_;
   Islands islands_;
 };
-}  // namespace
 
 TEST_F(IslandsTest, TwoContactsOnOneGridAreTwoIslands)
 {
@@ -110,8 +109,6 @@ TEST_F(IslandsTest, ClearedIslandsAreNone)
   EXPECT_TRUE(islands_.islands().empty());
 }
 
-namespace
-{
 /// Largest depth of the left wheel in the rail along the normals of the rail [m], by samples of both sections.
 double sampledDepth(const ContactModelConfig& config, const WheelsetResult& at)
 {
@@ -152,10 +149,7 @@ TEST(Approach, IsTheLargestDepthAlongANormalWhateverTheCells)
     for (const int along : {24, 64})
     {
       ContactModelConfig config = manchesterScene();
-      config.contact.method = NormalMethod::conjugate_gradient;
-      config.contact.cells_along = along;
-      config.contact.cells_across = 2 * along;
-      config.contact.tolerance = 1e-3;
+      config.contact = {NormalMethod::conjugate_gradient, 1e-3, along, 2 * along};
       WheelsetContact contact(config);
       WheelsetState state;
       state.y = y;

@@ -19,8 +19,7 @@ constexpr double wheel = 0.5 / 0.46;  ///< coefficient A for a wheel of 460 mm r
 NormalSolution stripSolution(const NormalProblem& problem)
 {
   KikPiotrowski solver;
-  const NormalSolution solution = problems::solved(solver, problem);
-  EXPECT_EQ(solution.status, SolveStatus::converged);
+  const NormalSolution solution = problems::converged(solver, problem);
   return solution;
 }
 

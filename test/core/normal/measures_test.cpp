@@ -143,9 +143,8 @@ TEST(Measures, AreaHardlyDependsOnThePositionOfTheTips)
 TEST(Measures, AreaOfAHalfEqualsThatOfTheWhole)
 {
   ConjugateGradients solver = problems::solverTo(1e-9);
-  NormalSolution half, whole;
-  solver.solve(hertzCase(2, 16, 32, true).problem, false, half);
-  solver.solve(hertzCase(2, 16, 32, false).problem, false, whole);
+  const NormalSolution half = problems::solved(solver, hertzCase(2, 16, 32, true).problem);
+  const NormalSolution whole = problems::solved(solver, hertzCase(2, 16, 32, false).problem);
   EXPECT_NEAR(half.patches[0].area / whole.patches[0].area, 1, 1e-6);
 }
 

@@ -30,9 +30,9 @@ Pressures largestErrors(const Grid& grid, double load, const Gap& gap)
   {
     const double shift = 0.1 * place * grid.dy;
     const auto moved = [&](double x, double y) { return gap(x, y - shift); };
-    NormalSolution found, fine;
-    solver.solve(problems::underLoad(problems::sampled(grid, moved), load), false, found);
-    solver.solve(problems::underLoad(problems::sampled(scenes::refined(grid, 8), moved), load), false, fine);
+    const auto on = [&](const Grid& cells)
+    { return problems::solved(solver, problems::underLoad(problems::sampled(cells, moved), load)); };
+    const NormalSolution found = on(grid), fine = on(scenes::refined(grid, 8));
     EXPECT_TRUE(found.status == SolveStatus::converged && fine.status == SolveStatus::converged);
     EXPECT_FALSE(found.patches[0].touches_border);
     const double truth = fine.patches[0].max_pressure;
@@ -207,16 +207,15 @@ TEST(PeakPressure, IsCloseToItsCellsNextToAMuchHigherPeak)
 TEST(PeakPressure, OfAHalfEqualsThatOfTheWhole)
 {
   ConjugateGradients solver = problems::solverTo(1e-9);
-  NormalSolution half, whole;
-  solver.solve(problems::underLoad(problems::sampled(problems::centredGrid(16, 32, 0.018, 0.026, true), shoulder), 1e5),
-               false, half);
-  solver.solve(
-      problems::underLoad(problems::sampled(problems::centredGrid(16, 32, 0.018, 0.026, false), shoulder), 1e5), false,
-      whole);
-  EXPECT_NEAR(half.patches[0].max_pressure / whole.patches[0].max_pressure, 1, 1e-6);
+  const auto peak = [&](bool symmetric)
+  {
+    const Grid grid = problems::centredGrid(16, 32, 0.018, 0.026, symmetric);
+    return problems::solved(solver, problems::underLoad(problems::sampled(grid, shoulder), 1e5))
+        .patches[0]
+        .max_pressure;
+  };
+  EXPECT_NEAR(peak(true) / peak(false), 1, 1e-6);
 }
-
-constexpr double steel_modulus = 1.14e11;  // steel on steel [Pa]
 
 /// Bowl whose curvature across jumps by `jump` times its value at y = `discontinuity`.
 scenes::Gap discontinuous(double discontinuity, double jump)
@@ -231,21 +230,14 @@ scenes::Gap discontinuous(double discontinuity, double jump)
 /// Patch on a grid that covers the pressure of 20 kN on every gap of these tests.
 NormalProblem problemOf(const scenes::Gap& gap, const GridSize& size, bool symmetric = false)
 {
-  NormalProblem problem;
-  problem.modulus = steel_modulus;
-  problem.value = 2e4;
-  problem.patches.resize(1);
-  const double length = 13e-3, width = 7e-3, dx = length / size.along, dy = width / size.across;
-  problem.patches[0].grid = {size.along, size.across, dx, dy, -0.5 * (size.across - 1) * dy, symmetric};
-  scenes::sample(gap, problem.patches[0]);
-  return problem;
+  return problems::underLoad(
+      problems::sampled(problems::centredGrid(size.along, size.across, 13e-3, 7e-3, symmetric), gap), 2e4);
 }
 
 PatchPressure solve(const NormalProblem& problem)
 {
   ConjugateGradients solver = problems::solverTo(1e-6, 1000);
-  const NormalSolution solution = problems::solved(solver, problem);
-  EXPECT_EQ(solution.status, SolveStatus::converged);
+  const NormalSolution solution = problems::converged(solver, problem);
   EXPECT_FALSE(solution.patches[0].touches_border);
   return solution.patches[0];
 }

@@ -5,6 +5,7 @@
 #include "core/normal/operator/influence.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "core/normal/solvers/hertz.h"
+#include "core/normal/solvers/seidel.h"
 #include "wheel_rail_contact/core/normal_problem.h"
 #include "wheel_rail_contact/core/normal_solver.h"
 
@@ -82,6 +83,14 @@ inline ConjugateGradients solverTo(double residual, int max_products = Conjugate
   return ConjugateGradients(options);
 }
 
+/// Seidel's iteration as printed in the paper.
+inline Seidel seidelAsPrinted()
+{
+  SeidelOptions options;
+  options.form = SeidelOptions::Form::printed;
+  return Seidel(options);
+}
+
 /// Solution without a start.
 inline NormalSolution solved(NormalSolver& solver, const NormalProblem& problem)
 {
@@ -118,6 +127,13 @@ inline HertzCase hertzCase(double ratio, int nx, int ny, bool symmetric, double 
   const GapCurvature c = hertz.gap;
   hertz.problem = underLoad(sampled(grid, [c](double x, double y) { return c.a * x * x + c.b * y * y; }), load);
   return hertz;
+}
+
+/// Solution without a start, which must converge.
+inline NormalSolution converged(NormalSolver& solver, const NormalProblem& problem)
+{
+  NormalSolution solution = solved(solver, problem);
+  return solution.status == SolveStatus::converged ? solution : throw std::runtime_error(toString(solution.status));
 }
 
 /// The same problem on a curved surface, with normals to be set.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/normal/solvers/seidel.h"
 
+#include "../../seeded.h"
 #include "../../usual_headers.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "problems.h"
@@ -11,25 +12,17 @@ namespace
 {
 using problems::hertzCase;
 using problems::randomProblem;
-
-Seidel printed()
-{
-  SeidelOptions options;
-  options.form = SeidelOptions::Form::printed;
-  return Seidel(options);
-}
+using problems::seidelAsPrinted;
 
 TEST(Seidel, RepairedFormAgreesWithConjugateGradients)
 {
-  constexpr unsigned seed = 21;
-  std::mt19937_64 random(seed);
+  Seeded64 random(21);
   Seidel seidel;
   for (int k = 0; k < 20; ++k)
   {
     const NormalProblem problem = randomProblem(random, 1 + k % 2);
     const NormalSolution reference = problems::solved(problem, 1e-8);
-    const NormalSolution solution = problems::solved(seidel, problem);
-    ASSERT_EQ(solution.status, SolveStatus::converged) << "seed " << seed << ", problem " << k;
+    const NormalSolution solution = problems::converged(seidel, problem);
     EXPECT_LE(solution.residual, 1e-4);
     double load = 0;
     for (std::size_t p = 0; p < problem.patches.size(); ++p)
@@ -37,7 +30,7 @@ TEST(Seidel, RepairedFormAgreesWithConjugateGradients)
       // At a residual of 1e-4 the pressures agree to about ten times that.
       EXPECT_LE((solution.patches[p].pressure - reference.patches[p].pressure).abs().maxCoeff(),
                 3e-3 * std::max(reference.patches[p].max_pressure, 1e7))
-          << "seed " << seed << ", problem " << k;
+          << "problem " << k;
       load += problem.patches[p].weight * solution.patches[p].force;
     }
     if (problem.control == NormalProblem::Control::load)
@@ -50,8 +43,7 @@ TEST(Seidel, RepairedFormAgreesWithConjugateGradients)
 TEST(Seidel, RepairedFormConvergesFasterFromAnEarlierSolution)
 {
   Seidel seidel;
-  NormalSolution solution;
-  seidel.solve(hertzCase(2, 16, 16, true).problem, false, solution);
+  NormalSolution solution = problems::solved(seidel, hertzCase(2, 16, 16, true).problem);
   const int cold = solution.iterations;
   seidel.solve(hertzCase(2, 16, 16, true, 1.1, 0.02).problem, true, solution);
   EXPECT_EQ(solution.status, SolveStatus::converged);
@@ -62,13 +54,12 @@ TEST(Seidel, PrintedFormUnderestimatesTheApproachByHalfAPercentOnSquareCells)
 {
   // Point forces are 4 % low at the next cell. On 16 × 16 cells the approach is therefore 0.5 % low, on 32 × 32 cells
   // half of that.
-  Seidel seidel = printed();
+  Seidel seidel = seidelAsPrinted();
   double error = 1;
   for (const int cells : {16, 32})
   {
     const auto hertz = hertzCase(1, cells, cells, true);
-    const NormalSolution solution = problems::solved(seidel, hertz.problem);
-    ASSERT_EQ(solution.status, SolveStatus::converged);
+    const NormalSolution solution = problems::converged(seidel, hertz.problem);
     EXPECT_NEAR(solution.patches[0].force / 1e5, 1, 1e-4);
     const double bias = solution.approach / problems::solved(hertz.problem, 1e-8).approach - 1;
     EXPECT_LT(bias, 0);
@@ -84,9 +75,8 @@ TEST(Seidel, PrintedFormAppliesTheApproachInSteps)
   const NormalSolution by_load = problems::solved(hertz.problem, 1e-8);
   hertz.problem.control = NormalProblem::Control::approach;
   hertz.problem.value = by_load.approach;
-  NormalSolution solution;
-  printed().solve(hertz.problem, false, solution);
-  EXPECT_EQ(solution.status, SolveStatus::converged);
+  Seidel seidel = seidelAsPrinted();
+  const NormalSolution solution = problems::converged(seidel, hertz.problem);
   EXPECT_GE(solution.iterations, 5) << "at least one sweep per step";
   EXPECT_NEAR(solution.patches[0].force / 1e5, 1, 0.01);
 }
@@ -106,7 +96,7 @@ TEST(Seidel, PrintedFormConvergesToStripesOnLongCells)
         problems::sampled(grid, [c](double x, double y) { return c.a * x * x + c.b * y * y; }), 1e5);
     const NormalSolution reference = problems::solved(problem, 1e-8);
     NormalSolution solution;
-    printed().solve(problem, false, solution);
+    seidelAsPrinted().solve(problem, false, solution);
     EXPECT_NEAR(solution.approach / reference.approach, 1, 0.03);
     if (aspect < 4.70)
     {
@@ -133,7 +123,7 @@ TEST(Seidel, PrintedFormIsRejectedIfItConvergesToStripes)
   const auto hertz = hertzCase(13.5, 32, 64, true);
   ASSERT_GT(hertz.problem.patches[0].grid.dx, 9 * hertz.problem.patches[0].grid.dy);
   NormalSolution solution;
-  printed().solve(hertz.problem, false, solution);
+  seidelAsPrinted().solve(hertz.problem, false, solution);
   EXPECT_GT(solution.patches[0].max_pressure, 2 * hertz.exact.max_pressure);
   EXPECT_EQ(solution.status, SolveStatus::indefinite);
 }
@@ -145,14 +135,12 @@ TEST(Seidel, ResidualAndEstimateShowThatThePrintedFormStopsTooEarly)
   const auto hertz = hertzCase(1, 48, 48, true);
   SeidelOptions options;
   options.form = SeidelOptions::Form::printed;
-  NormalSolution solution;
   double error = 0, estimate = 0;
   for (const double change : {1e-4, 0.01, 0.1, 0.4, 0.8})
   {
     options.change = change;
     Seidel seidel(options);
-    seidel.solve(hertz.problem, false, solution);
-    EXPECT_EQ(solution.status, SolveStatus::converged);
+    const NormalSolution solution = problems::converged(seidel, hertz.problem);
     const PatchPressure& patch = solution.patches[0];
     error =
         std::max({std::abs(patch.max_pressure / hertz.exact.max_pressure - 1),
@@ -174,17 +162,14 @@ TEST(Seidel, ReportsWhyItEnded)
   {
     options.form = form;
     Seidel seidel(options);
-    NormalSolution solution;
-    seidel.solve(hertz.problem, false, solution);
-    EXPECT_EQ(solution.status, SolveStatus::iteration_limit) << seidel.name();
+    EXPECT_EQ(problems::solved(seidel, hertz.problem).status, SolveStatus::iteration_limit) << seidel.name();
     NormalProblem broken = hertz.problem;
     broken.patches[0].gap(0, 0) = std::nan("");
-    seidel.solve(broken, false, solution);
-    EXPECT_EQ(solution.status, SolveStatus::invalid_problem) << seidel.name();
+    EXPECT_EQ(problems::solved(seidel, broken).status, SolveStatus::invalid_problem) << seidel.name();
     NormalProblem apart = hertz.problem;
     apart.control = NormalProblem::Control::approach;
     apart.value = -1e-6;
-    seidel.solve(apart, false, solution);
+    const NormalSolution solution = problems::solved(seidel, apart);
     EXPECT_EQ(solution.status, SolveStatus::no_contact) << seidel.name();
     EXPECT_EQ(solution.patches[0].force, 0);
   }
