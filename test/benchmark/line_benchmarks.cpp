@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <memory>
 #include <numeric>
-#include <random>
-#include <string>
-#include <vector>
 
+#include "../standard_headers.h"
 #include "benchmarks.h"
 
 namespace wheel_rail_contact

@@ -4,12 +4,10 @@
 #include <atomic>
 #include <chrono>
 #include <ctime>
-#include <filesystem>
-#include <string>
 #include <thread>
-#include <vector>
 
 #include "../pairs_bag.h"
+#include "../standard_headers.h"
 #include "../temporary_folder.h"
 #include "benchmarks.h"
 #include "replay/replay.h"

@@ -5,14 +5,7 @@
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdio>
-#include <exception>
-#include <stdexcept>
-#include <string>
-#include <vector>
+#include "../standard_headers.h"
 
 #include <wheel_rail_contact/EvaluateWheelset.h>
 #include <wheel_rail_contact/WheelsetContact.h>

@@ -16,13 +16,8 @@
 // CONTRIBUTING.md gives the commands of long campaigns.
 #include <cctype>
 #include <chrono>
-#include <cstdio>
-#include <cstdlib>
-#include <exception>
-#include <fstream>
-#include <random>
-#include <stdexcept>
 
+#include "../standard_headers.h"
 #include "../thread_time.h"
 #include "continuity.h"
 #include "random_scene.h"

@@ -94,10 +94,7 @@ TEST(ErrorEstimate, HoldsOnAWavyProfile)
     config.track.rail_inclination = 0.025;
     config.contact.tolerance = 0.1;
     WheelsetContact contact(config);
-    config.contact.method = NormalMethod::conjugate_gradient;
-    config.contact.cells_along = 192;
-    config.contact.cells_across = 256;
-    config.contact.tolerance = 1e-3;
+    config.contact = {NormalMethod::conjugate_gradient, 1e-3, 192, 256};
     WheelsetContact reference(config);
     for (double y = -6e-3; y <= 6e-3; y += 137e-6)
     {

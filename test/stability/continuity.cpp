@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "continuity.h"
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
+#include "../standard_headers.h"
 
 namespace wheel_rail_contact::core::stability
 {

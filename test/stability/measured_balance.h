@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <memory>
-#include <vector>
-
+#include "../standard_headers.h"
 #include "../thread_time.h"
 #include "core/balance/wheelset_balance.h"
 #include "core/normal/solvers/conjugate_gradients.h"

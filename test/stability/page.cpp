@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "wheel_rail_contact/core/normal_solver.h"
+
 namespace wheel_rail_contact::core::stability
 {
 namespace
@@ -107,6 +109,16 @@ std::vector<std::string> fieldsOf(const std::string& line)
   return fields;
 }
 }  // namespace
+
+std::vector<std::string> methodNames()
+{
+  std::vector<std::string> names;
+  for (const NormalMethod method : all_normal_methods)
+  {
+    names.emplace_back(toString(method));
+  }
+  return names;
+}
 
 void writePage(std::ostream& out, const std::vector<MapTable>& tables)
 {

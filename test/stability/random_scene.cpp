@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "random_scene.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <filesystem>
-#include <random>
-
 #include "../core/normal/gap_scenes.h"
+#include "../standard_headers.h"
 #include "config/compliance_table_file.h"
 
 namespace wheel_rail_contact::core::stability

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "result_check.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <stdexcept>
-
+#include "../standard_headers.h"
 #include "core/balance/rail_support.h"
 #include "wheel_rail_contact/core/normal_problem.h"
 

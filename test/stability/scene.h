@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
+#include "../standard_headers.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 #include "wheel_rail_contact/core/wheelset_contact.h"
 

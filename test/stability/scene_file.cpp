@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene_file.h"
 
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-
+#include "../standard_headers.h"
 #include "config/node_config.h"
 #include "config/parameter_reader.h"
 

@@ -17,15 +17,9 @@
 // wheel_loads and no yaw, for the same rail and load. "solver": share of the normal solutions in the time.
 //
 // Exit status: 1 if a state is refused, 2 for wrong arguments.
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <exception>
-#include <map>
-#include <stdexcept>
-
 #include "../core/normal/gap_scenes.h"
 #include "../manchester_scene.h"
+#include "../standard_headers.h"
 #include "config/compliance_table_file.h"
 #include "core/text/formatted.h"
 #include "measured_balance.h"

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
-#include <cmath>
-#include <functional>
-
 #include "../core/normal/problems.h"
+#include "../standard_headers.h"
 #include "core/balance/grid_levels.h"
 #include "core/normal/estimate/error_estimate.h"
 #include "core/normal/solvers/conjugate_gradients.h"
@@ -16,14 +13,8 @@ namespace
 {
 using problems::hertzCase;
 using problems::HertzCase;
+using problems::seidelAsPrinted;
 using problems::solved;
-
-Seidel seidelAsPrinted()
-{
-  SeidelOptions options;
-  options.form = SeidelOptions::Form::printed;
-  return Seidel(options);
-}
 
 Verdict verdict(const NormalSolution& found, double expected)
 {
@@ -269,12 +260,8 @@ MapTable shapeMap()
       "gaps (radius 13 mm in 14 mm to 13 mm) end in steep parabolas 7 mm from their middle, the flat one and the "
       "saddle 5 mm from it. The step is as high as that of S1002 at y = −35 mm. At a step the exact pressure is "
       "unbounded: the highest pressure grows as the cells become smaller.",
-      {},
+      methodNames(),
       {}};
-  for (const NormalMethod method : all_normal_methods)
-  {
-    table.columns.emplace_back(toString(method));
-  }
   const GridLevels levels{ContactModelConfig()};
   for (const Shape& shape : shapes())
   {

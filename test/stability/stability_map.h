@@ -2,11 +2,9 @@
 #pragma once
 
 #include <istream>
-#include <map>
 #include <ostream>
-#include <string>
-#include <vector>
 
+#include "../standard_headers.h"
 #include "verdict.h"
 
 namespace wheel_rail_contact::core::stability
@@ -28,6 +26,9 @@ struct MapTable
 
 /// A number with up to six decimals, without zeros at its end.
 std::string digits(double value);
+
+/// Names of all methods, as columns.
+std::vector<std::string> methodNames();
 
 /// Wheelsets with each contact/method.
 MapTable wheelsetMap();

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fstream>
-#include <sstream>
-
 #include "../usual_headers.h"
 #include "stability_map.h"
 #include "wheel_rail_contact/core/normal_solver.h"

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <map>
-#include <string>
-#include <vector>
-
+#include "../standard_headers.h"
 #include "scene.h"
 
 namespace wheel_rail_contact::core::stability

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
-#include <limits>
-#include <string>
-#include <vector>
+#include "../standard_headers.h"
 
 namespace wheel_rail_contact::core::stability
 {

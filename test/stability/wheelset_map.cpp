@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <limits>
-
 #include "../core/balance/conformal_reference.h"
 #include "../core/balance/wheelset_scene.h"
+#include "../standard_headers.h"
 #include "scene.h"
 #include "stability_map.h"
 #include "standard_wheelset.h"
@@ -191,12 +187,8 @@ MapTable wheelsetMap()
       "have noise of 0.5 µm. The points of the others have noise of 5 µm and are smoothed; \"hollow\" and \"worn\" "
       "profiles are worn. The reference is `conjugate_gradient` on 128 × 256 cells. There is no reference where it "
       "differs from the result on 64 × 128 cells by more than 2 %.",
-      {},
+      methodNames(),
       {}};
-  for (const NormalMethod method : all_normal_methods)
-  {
-    table.columns.emplace_back(toString(method));
-  }
   for (const Situation& situation : situations())
   {
     Reference truth{reference(situation.config, situation.state, 2), 0};
@@ -237,12 +229,8 @@ MapTable conformalMap()
       "CONTACT, conformal with turned normals (`test/core/balance/conformal_reference.h`). The error is the larger one "
       "of highest pressure and area. Only `auto` and `conjugate_gradient` take into account that the normals turn. "
       "Last column: `half_space_ratio` of the result of `auto`.",
-      {},
+      methodNames(),
       {}};
-  for (const NormalMethod method : all_normal_methods)
-  {
-    table.columns.emplace_back(toString(method));
-  }
   table.columns.emplace_back("half_space_ratio");
   const ContactModelConfig config = manchesterScene();
   for (const ConformalReference& expected : conformal_references)

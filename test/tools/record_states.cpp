@@ -5,43 +5,35 @@
 //   record_states print SEED     all numbers of the results of one scene, to find the first that differs
 // The scenes are random scenes of test/stability, varied by unequal sides, moments, stress, irregularities and
 // sections.
-#include <cstdint>
-#include <cstdio>
 #include <cstring>
-#include <exception>
-#include <fstream>
-#include <functional>
-#include <iostream>
-#include <string>
-#include <vector>
+#include <type_traits>
 
 #include "../stability/random_scene.h"
+#include "../standard_headers.h"
+#include "config/result_fields.h"
 
 namespace
 {
 using namespace wheel_rail_contact::core;
 using stability::Scene;
 using stability::ScenePool;
+using namespace wheel_rail_contact;
 
 constexpr unsigned long scene_count = 72;  ///< of thirty states each
 
 using Number = std::function<void(const char* name, double value)>;
 
-/// Visits numbers of one kind.
-template <typename... Values>
-void add(const Number& number, const char* name, Values... values)
+/// Visits the numbers among the fields of an object.
+template <typename Object>
+auto fieldsOf(const Object& object, const Number& number)
 {
-  (number(name, static_cast<double>(values)), ...);
-}
-
-void add(const Number& number, const char* name, const StressPeak& peak)
-{
-  add(number, name, peak.value, peak.x, peak.y, peak.depth);
-}
-
-void add(const Number& number, const char* name, const RailDeflection& deflection)
-{
-  add(number, name, deflection.lateral, deflection.vertical, deflection.roll);
+  return [&](const ResultField& field, const auto& member, const auto&)
+  {
+    if constexpr (std::is_arithmetic_v<std::decay_t<decltype(member(object))>>)
+    {
+      number(field.name, static_cast<double>(member(object)));
+    }
+  };
 }
 
 void visit(const Eigen::ArrayXXd& array, const char* name, const Number& number)
@@ -54,9 +46,9 @@ void visit(const Eigen::ArrayXXd& array, const char* name, const Number& number)
 
 void visit(const PatchStress& stress, const Number& number)
 {
-  add(number, "von_mises", stress.von_mises);
-  add(number, "shear", stress.shear);
-  add(number, "load_factor, shakedown_limit", stress.load_factor, stress.shakedown_limit);
+  visitPeak(fieldsOf(stress.von_mises, number));
+  visitPeak(fieldsOf(stress.shear, number));
+  visitStress(fieldsOf(stress, number));
   for (const StressLayer& layer : stress.field)
   {
     number("layer", layer.depth);
@@ -69,42 +61,35 @@ void visit(const PatchStress& stress, const Number& number)
 
 void visit(const PatchResult& patch, const Number& number)
 {
-  add(number, "side", patch.side);
-  add(number, "pose: x, y, z, angle", patch.pose.x, patch.pose.y, patch.pose.z, patch.pose.angle);
-  add(number, "contact_angle, normal_force, approach", patch.contact_angle, patch.normal_force, patch.approach);
-  add(number, "area, max_pressure, error_estimate", patch.area, patch.max_pressure, patch.error_estimate);
-  add(number, "iterations, residual", patch.iterations, patch.residual);
-  add(number, "half_space_ratio, model_error", patch.half_space_ratio, patch.model_error);
-  add(number, "vertical_force, lateral_force", patch.vertical_force, patch.lateral_force);
-  add(number, "semi_axis_along, semi_axis_across", patch.semi_axis_along, patch.semi_axis_across);
-  add(number, "rolling_radius, wheel_s, rail_s", patch.rolling_radius, patch.wheel_s, patch.rail_s);
-  add(number, "wheel_angle", patch.wheel_angle);
-  add(number, "curvature_along, curvature_across", patch.curvature_along, patch.curvature_across);
-  add(number, "normal_stiffness", patch.normal_stiffness);
+  number("side", static_cast<double>(patch.side));
+  for (const double coordinate : {patch.pose.x, patch.pose.y, patch.pose.z, patch.pose.angle})
+  {
+    number("pose: x, y, z, angle", coordinate);
+  }
+  visitPatch(fieldsOf(patch, number));
   visit(patch.wheel_stress, number);
   visit(patch.rail_stress, number);
-  const PatchGrid& grid = patch.grid;
-  add(number, "grid: nx, ny, dx, dy, x0, y0", grid.nx, grid.ny, grid.dx, grid.dy, grid.x0, grid.y0);
+  visitGrid(fieldsOf(patch.grid, number));
   visit(patch.pressure, "pressure", number);
 }
 
 void visit(const WheelsetResult& result, const Number& number)
 {
-  add(number, "status", result.status);
-  add(number, "above_tolerance, points_missing", result.above_tolerance, result.points_missing);
-  add(number, "implausible_force", result.implausible_force);
-  add(number, "y, z, yaw, roll", result.y, result.z, result.yaw, result.roll);
-  for (int i = 0; i < 3; ++i)
+  number("status", static_cast<double>(result.status));
+  for (const bool flag : {result.above_tolerance, result.points_missing, result.implausible_force})
   {
-    add(number, "wrench: force, moment", result.rail_wrench.force(i), result.rail_wrench.moment(i));
+    number("above_tolerance, points_missing, implausible_force", flag ? 1 : 0);
   }
+  for (const double coordinate : {result.y, result.z, result.yaw, result.roll})
+  {
+    number("y, z, yaw, roll", coordinate);
+  }
+  visit(result.rail_wrench.force, "wrench: force", number);
+  visit(result.rail_wrench.moment, "wrench: moment", number);
   for (const Side side : sides)
   {
-    const RailResult& rail = result.rail[side];
-    add(number, "rail.deflection", rail.deflection);
-    add(number, "rail.given", rail.given);
-    add(number, "rail: lateral_force, vertical_force, moment", rail.lateral_force, rail.vertical_force, rail.moment);
-    add(number, "wheel: vertical, lateral", result.wheel[side].vertical, result.wheel[side].lateral);
+    visitRail(fieldsOf(result.rail[side], number));
+    visitWheel(fieldsOf(result.wheel[side], number));
   }
   for (const PatchResult& patch : result.patches)
   {
