@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 import math
 import sys
-import tempfile
-import unittest
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +10,7 @@ from wheel_rail_contact.geometry.command_line import main
 from wheel_rail_contact.geometry.tables import CONICITY, GEOMETRY
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "replay"))
-from commands import error_without_space, is_drawn, running  # noqa: E402  (in the folder of other tests)
+from commands import FolderCase, error_without_space, is_drawn, running  # noqa: E402  (in the folder of other tests)
 
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 CONE = 0.05  # slope of the conical wheels [-]
@@ -40,15 +38,14 @@ def write_cones(folder, hollow=0.0, gap=0.0):
     return config
 
 
-class Command(unittest.TestCase):
+class Command(FolderCase):
     def test_conicity_of_cones_with_unequal_radii_is_their_slope_about_a_shifted_centre(self):
-        with tempfile.TemporaryDirectory() as folder:
-            status, out, err = run("--config", write_cones(folder), "--out", Path(folder, "new"), "--roll", "none",
-                                   "--y", -5, 5, "--amplitudes", 1, 3)
-            self.assertEqual(status, 0, err)
-            # The only other text: what was understood of the file.
-            self.assertRegex(err, r"\Acontact_geometry: wheel/profile = .*/cone\.csv: table, .*unit mm.*\n\Z")
-            points, conicity = (read(Path(folder, "new", name)) for name in (GEOMETRY, CONICITY))
+        status, out, err = run("--config", write_cones(self.folder), "--out", Path(self.folder, "new"), "--roll", "none",
+                               "--y", -5, 5, "--amplitudes", 1, 3)
+        self.assertEqual(status, 0, err)
+        # The only other text: what was understood of the file.
+        self.assertRegex(err, r"\Acontact_geometry: wheel/profile = .*/cone\.csv: table, .*unit mm.*\n\Z")
+        points, conicity = (read(Path(self.folder, "new", name)) for name in (GEOMETRY, CONICITY))
         np.testing.assert_allclose(points["y"], np.linspace(-5e-3, 5e-3, 101), atol=1e-12)
         np.testing.assert_allclose(points["rolling_radius_difference"], 2 * CONE * points["y"] + 1e-4, atol=1e-7)
         np.testing.assert_allclose(points["left_rolling_radius"] - points["right_rolling_radius"],
@@ -60,17 +57,15 @@ class Command(unittest.TestCase):
         self.assertIn("             2               0.0500           16.51                   -1.000\n", out)
 
     def test_picture_is_drawn(self):
-        with tempfile.TemporaryDirectory() as folder:
-            status, out, err = run("--out", folder, "--step", 0.5, "--title", "S1002 on 60E1", "--amplitudes", 0.5, 0.5)
-            self.assertEqual((status, err), (0, ""))
-            self.assertRegex(out, r"\n +0\.5 +0\.\d{4} ", "all are printed if none is whole")
-            self.assertTrue(is_drawn(Path(folder, "contact_geometry.png")))
+        status, out, err = run("--out", self.folder, "--step", 0.5, "--title", "S1002 on 60E1", "--amplitudes", 0.5, 0.5)
+        self.assertEqual((status, err), (0, ""))
+        self.assertRegex(out, r"\n +0\.5 +0\.\d{4} ", "all are printed if none is whole")
+        self.assertTrue(is_drawn(Path(self.folder, "contact_geometry.png")))
 
     def test_missing_results_have_an_empty_cell_and_a_printed_reason(self):
-        with tempfile.TemporaryDirectory() as folder:
-            status, out, _ = run("--out", folder, "--y", -4.2, 90, "--step", 1, "--amplitudes", 3, 5)
-            self.assertEqual(status, 0)
-            points, conicity = (read(Path(folder, name)) for name in (GEOMETRY, CONICITY))
+        status, out, _ = run("--out", self.folder, "--y", -4.2, 90, "--step", 1, "--amplitudes", 3, 5)
+        self.assertEqual(status, 0)
+        points, conicity = (read(Path(self.folder, name)) for name in (GEOMETRY, CONICITY))
         self.assertNotEqual(points["reason"][-1], "")
         self.assertTrue(math.isnan(points["rolling_radius_difference"][-1]))
         self.assertEqual(points["reason"][0], "")
@@ -80,18 +75,16 @@ class Command(unittest.TestCase):
         self.assertRegex(out, r"no result for \d+ of 95 values of the y, .*: (off_profile|beside_rail)")
 
     def test_amplitudes_end_at_half_the_range_unless_given(self):
-        with tempfile.TemporaryDirectory() as folder:
-            status, out, err = run("--out", folder, "--y", -2, 2, "--step", 0.5)
-            self.assertEqual((status, err), (0, ""))
-            self.assertIn("equivalent_conicity.csv contains all 3 amplitudes", out)
-            np.testing.assert_allclose(read(Path(folder, CONICITY))["amplitude"], [1e-3, 1.5e-3, 2e-3], atol=1e-12)
+        status, out, err = run("--out", self.folder, "--y", -2, 2, "--step", 0.5)
+        self.assertEqual((status, err), (0, ""))
+        self.assertIn("equivalent_conicity.csv contains all 3 amplitudes", out)
+        np.testing.assert_allclose(read(Path(self.folder, CONICITY))["amplitude"], [1e-3, 1.5e-3, 2e-3], atol=1e-12)
 
     def test_contacts_on_missing_points_have_a_reason_instead_of_a_conicity(self):
-        with tempfile.TemporaryDirectory() as folder:
-            config = write_cones(folder, hollow=1e-3, gap=8)  # the ends of a straight gap would define it
-            status, out, err = run("--config", config, "--out", folder, "--y", -3, 3, "--step", 1, "--amplitudes", 1, 2)
-            self.assertEqual(status, 0, err)
-            points, conicity = (read(Path(folder, name)) for name in (GEOMETRY, CONICITY))
+        config = write_cones(self.folder, hollow=1e-3, gap=8)  # the ends of a straight gap would define it
+        status, out, err = run("--config", config, "--out", self.folder, "--y", -3, 3, "--step", 1, "--amplitudes", 1, 2)
+        self.assertEqual(status, 0, err)
+        points, conicity = (read(Path(self.folder, name)) for name in (GEOMETRY, CONICITY))
         self.assertRegex(err, "points missing over 1[^$]*contact_geometry: no amplitude has an equivalent conicity\n")
         self.assertEqual(points["reason"], ["points_missing"] * 7)
         self.assertTrue(np.all(np.isnan(points["rolling_radius_difference"])))
@@ -99,10 +92,9 @@ class Command(unittest.TestCase):
         self.assertIn("no result for 7 of 7 values of the y, -3 mm to 3 mm: points_missing", out)
 
     def test_rails_that_deflect_are_reported_as_rigid(self):
-        with tempfile.TemporaryDirectory() as folder:
-            config = Path(folder, "bending.yaml")
-            config.write_text("rail_bending: {model: compliance, table: config/rails/paper.yaml}\n", encoding="ascii")
-            status, _, err = run("--config", config, "--out", folder, "--step", 1)
+        config = Path(self.folder, "bending.yaml")
+        config.write_text("rail_bending: {model: compliance, table: config/rails/paper.yaml}\n", encoding="ascii")
+        status, _, err = run("--config", config, "--out", self.folder, "--step", 1)
         self.assertEqual(status, 0, err)
         self.assertIn("rail_bending/model is not used", err)
 
@@ -119,13 +111,11 @@ class Command(unittest.TestCase):
                                    (("--amplitudes", 1, 1e9), "--amplitudes 1 1e+09: must be at most 10 mm, half of"),
                                    (("--y", 0, 8, "--amplitudes", 1, 4.1), "--amplitudes 1 4.1: must be at most 4 mm"),
                                    (("--config", "missing.yaml"), "missing.yaml")):
-            with tempfile.TemporaryDirectory() as folder:
-                status, out, err = run("--out", Path(folder, "new"), *arguments)
-                self.assertEqual(list(Path(folder).iterdir()), [], arguments)
+            status, out, err = run("--out", Path(self.folder, "new"), *arguments)
+            self.assertEqual(list(Path(self.folder).iterdir()), [], arguments)
             self.assertEqual((status, out), (1, ""), arguments)
             self.assertIn(message, err)
 
     def test_full_disk_is_reported_with_the_name_of_the_file(self):
-        with tempfile.TemporaryDirectory() as folder:
-            self.assertIn("contact_geometry.csv: File too large",
-                          error_without_space(2**10, sys.executable, SCRIPTS / "contact_geometry", "--out", folder))
+        self.assertIn("contact_geometry.csv: File too large",
+                      error_without_space(2**10, sys.executable, SCRIPTS / "contact_geometry", "--out", self.folder))
