@@ -3,7 +3,7 @@
 
 #include "usual_headers.h"
 
-/// What tests say of calls that must be refused.
+/// Refusals of calls.
 namespace wheel_rail_contact
 {
 /// The exception of a call. A call that throws none, or one of another type, ends the test.

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../../seeded.h"
-#include "../../usual_headers.h"
 #include "core/balance/rail_support.h"
 #include "core/track/rail_along.h"
 #include "crossing_scene.h"
 #include "round_bodies.h"
 #include "same_bits.h"
-#include "wheel_rail_contact/core/profile_reader.h"
-#include "wheelset_scene.h"
 
 using namespace wheel_rail_contact::core;
 using crossing_scene::profileOf;

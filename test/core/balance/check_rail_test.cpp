@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A check rail beside the running rail: the flange back touches its face.
-#include "../../usual_headers.h"
 #include "core/balance/rail_support.h"
 #include "core/profile/curve/spline.h"
 #include "core/track/placement.h"
@@ -191,9 +190,7 @@ TEST(CheckRail, AnUnloadedWheelTouchesItWithoutOverlap)
   WheelsetContact contact(config);
   for (double y = -2e-3; y > -6e-3; y -= 0.5e-3)
   {
-    WheelsetState state = stateAt(y, wheel_load / 2);
-    state.torque_x = wheel_load;  // unloads the left wheel
-    const WheelsetResult& result = contact.evaluate(state);
+    const WheelsetResult& result = contact.evaluate(stateAt(y, wheel_load / 2, 0, wheel_load));  // unloads the left
     ASSERT_EQ(result.status, ContactStatus::lift_off) << y << ": " << result.reason;
     // The points miss up to 1 um of an overlap.
     EXPECT_GT(clearance(config, {result.y, result.z, result.yaw, result.roll}), -1e-6) << y;

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Contact and rail deflection solved together, compared with rails held in the deflected position. Also shows where the
 // simple iteration between contact and rail fails.
-#include "../../usual_headers.h"
 #include "core/balance/rail_support.h"
 #include "core/balance/wheelset_balance.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "same_bits.h"
-#include "wheel_rail_contact/core/profile_reader.h"
 #include "wheelset_scene.h"
 
 using namespace wheel_rail_contact::core;

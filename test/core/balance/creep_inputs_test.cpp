@@ -3,11 +3,9 @@
 #include <Eigen/Geometry>
 
 #include "../../last_where.h"
-#include "../../usual_headers.h"
 #include "core/track/placement.h"
 #include "round_bodies.h"
 #include "same_bits.h"
-#include "wheelset_scene.h"
 
 using namespace wheel_rail_contact::core;
 
@@ -140,8 +138,7 @@ TEST(CreepInputsTest, ForcesOfAllContactsAddUpToTheWrenchOnTheAxle)
 // no neighbour on the same wheel. The contact at 6.41 mm is not oval: the ellipse alone is 8 % too soft.
 TEST(CreepInputsTest, NormalStiffnessIsTheChangeOfTheForcePerApproach)
 {
-  ContactModelConfig scene = manchesterScene();
-  scene.contact.tolerance = 2e-3;
+  ContactModelConfig scene = fineScene(2e-3);
   scene.rail_profile = std::make_shared<Profile>(rail60E1());
   WheelsetContact loaded(scene);
   scene.wheelset.solve_height_and_roll = false;
@@ -151,10 +148,7 @@ TEST(CreepInputsTest, NormalStiffnessIsTheChangeOfTheForcePerApproach)
   {
     const WheelsetResult under_load = okResult(loaded, stateAt(y, y == 6.41e-3 ? 69e3 : 5e4));
     const PatchResult& patch = firstOf(under_load, Side::left);
-    WheelsetState state;
-    state.y = y;
-    state.z = under_load.z;
-    state.roll = under_load.roll;
+    WheelsetState state = heldAt(y, under_load.z, under_load.roll);
     const auto force = [&](double approach)
     {
       state.rail_displacement.left = {-approach * std::sin(patch.contact_angle),

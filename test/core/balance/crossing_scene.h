@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../../usual_headers.h"
 #include "wheel_rail_contact/core/profile.h"
 #include "wheelset_scene.h"
 

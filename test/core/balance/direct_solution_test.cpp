@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../../usual_headers.h"
 #include "../normal/dense_active_set.h"
 #include "core/balance/rail_support.h"
 #include "core/track/gap.h"
-#include "wheel_rail_contact/core/wheelset_contact.h"
 #include "wheelset_scene.h"
 
 using namespace wheel_rail_contact::core;

@@ -43,21 +43,15 @@ TEST(HotPath, CounterSeesAllocations)
   std::free(memory);
 }
 
-TEST(HotPath, StiffRailsAllocateNothing)
+TEST(HotPath, StiffOrBendingRailsYawAndStressAllocateNothing)
 {
+  ContactModelConfig with_stress = onOneGrid(), bending = onOneGrid();
+  with_stress.stress.depths = 16;
+  bend(bending, softPads());
   EXPECT_EQ(allocationsOnThirdSweep(onOneGrid()), 0);
-}
-
-TEST(HotPath, AYawedWheelsetAllocatesNothing)
-{
   EXPECT_EQ(allocationsOnThirdSweep(onOneGrid(), 0.005), 0);
-}
-
-TEST(HotPath, TheStressBeneathThePatchesAllocatesNothing)
-{
-  ContactModelConfig config = onOneGrid();
-  config.stress.depths = 16;
-  EXPECT_EQ(allocationsOnThirdSweep(config, 0.005), 0);
+  EXPECT_EQ(allocationsOnThirdSweep(with_stress, 0.005), 0);
+  EXPECT_EQ(allocationsOnThirdSweep(bending), 0);
 }
 
 // Grids without symmetry are prepared in advance, too. The first yawed message allocates only memory for twice the
@@ -70,13 +64,6 @@ TEST(HotPath, FirstYawedMessagesComputeNoCoefficients)
   // factors.
   allocationsOf([&] { sweep(contact, 0.005); });
   EXPECT_LE(allocations, 40);
-}
-
-TEST(HotPath, BendingRailsAllocateNothing)
-{
-  ContactModelConfig config = onOneGrid();
-  bend(config, softPads());
-  EXPECT_EQ(allocationsOnThirdSweep(config), 0);
 }
 
 TEST(HotPath, FrictionAllocatesNothing)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Accuracy of `method: auto`: a result meets the tolerance, or its error estimate exceeds the tolerance.
-#include "../../usual_headers.h"
 #include "../normal/error_samples.h"
 #include "core/balance/grid_levels.h"
 #include "core/balance/patch_result.h"
@@ -71,11 +70,11 @@ GridLevels truthLevels(const GridSize& size)
   return GridLevels(config);
 }
 
-GridLevels levelsFor(double tolerance)
+ContactModelConfig withTolerance(double tolerance)
 {
   ContactModelConfig config;
   config.contact.tolerance = tolerance;
-  return GridLevels(config);
+  return config;
 }
 
 TEST(MethodChoice, AutoMeetsItsToleranceInScenesNotUsedForCalibration)
@@ -89,7 +88,7 @@ TEST(MethodChoice, AutoMeetsItsToleranceInScenesNotUsedForCalibration)
   std::map<double, GridLevels> solver_cache;  // by tolerance
   for (const double tolerance : {0.1, 0.03, 0.01, 0.003})
   {
-    solver_cache.emplace(tolerance, levelsFor(tolerance));
+    solver_cache.emplace(tolerance, GridLevels(withTolerance(tolerance)));
   }
   scenes::Random seeds(seed);
   std::map<double, Tally> tallies;
@@ -131,8 +130,7 @@ TEST(MethodChoice, AutoMeetsItsToleranceInScenesNotUsedForCalibration)
 
 TEST(MethodChoice, AnErrorEstimateAboveTheToleranceIsReported)
 {
-  ContactModelConfig config = manchesterScene();
-  config.contact.tolerance = 3e-5;  // below the error of the finest grid
+  const ContactModelConfig config = fineScene(3e-5);  // below the error of the finest grid
   WheelsetContact strict(config);
   const WheelsetResult& result = okResult(strict, stateAt(0.003, 1e5));
   EXPECT_TRUE(result.above_tolerance);
@@ -148,8 +146,7 @@ TEST(MethodChoice, AnErrorEstimateAboveTheToleranceIsReported)
 
 TEST(MethodChoice, ASteadySceneKeepsOneGrid)
 {
-  ContactModelConfig config = manchesterScene();
-  config.contact.tolerance = 0.003;
+  const ContactModelConfig config = fineScene();
   WheelsetContact contact(config);
   for (int k = 0; k < 8; ++k)
   {
@@ -187,13 +184,6 @@ TEST(MethodChoice, APatchSaysWhatItsMethodLeavesOut)
 }
 
 // Grids of a method, and the choice of a finer one by `method: auto`.
-
-ContactModelConfig withTolerance(double tolerance)
-{
-  ContactModelConfig config;
-  config.contact.tolerance = tolerance;
-  return config;
-}
 
 int cells(const GridSize& size)
 {

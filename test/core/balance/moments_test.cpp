@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Balance of forces and moments about the axle centre (WheelsetConfig::Balance::moments).
-#include "../../usual_headers.h"
 #include "same_bits.h"
 #include "wheelset_scene.h"
 
@@ -30,8 +29,7 @@ TEST(MomentsTest, ForcesAndMomentsAboutTheAxleCentreAreInBalance)
   {
     for (const double y : {-5.8e-3, -3e-3, 0.0, 2e-3, 4.5e-3, 5.2e-3, 6.2e-3})
     {
-      WheelsetState state = stateAt(y, 5e4);
-      state.torque_x = torque;
+      const WheelsetState state = stateAt(y, 5e4, 0, torque);
       const WheelsetResult& result = okResult(contact, state);
       EXPECT_NEAR(result.rail_wrench.force.z(), 1e5, 1);
       EXPECT_NEAR(openMoment(result, state), 0, 60) << "y = " << y << " m, torque " << torque << " N m";
@@ -65,9 +63,7 @@ TEST(MomentsTest, LateralForceAndRollAreReciprocal)
   const auto solve = [&](double y, double torque)
   {
     WheelsetContact contact(scene);
-    WheelsetState state = stateAt(y, 5e4);
-    state.torque_x = torque;
-    return contact.evaluate(state);
+    return contact.evaluate(stateAt(y, 5e4, 0, torque));
   };
   const double y = 5.8e-3, dy = 1e-5, dt = 500;
   const double force_per_torque = (solve(y, dt).rail_wrench.force.y() - solve(y, -dt).rail_wrench.force.y()) / (2 * dt);
@@ -95,8 +91,7 @@ TEST(MomentsTest, MirroredStatesHaveMirroredResults)
   {
     for (const double y : {-4.941180585e-3, 4e-3, 6.1e-3})
     {
-      WheelsetState state = stateAt(y, 5e4, 2e-3);
-      state.torque_x = torque;
+      const WheelsetState state = stateAt(y, 5e4, 2e-3, torque);
       contact.reset();
       const WheelsetResult left = contact.evaluate(state);
       contact.reset();
@@ -116,10 +111,7 @@ TEST(MomentsTest, AWheelsetWithoutLoadCarriesNothing)
   contact.evaluate(stateAt(7e-3, 5e4));  // lifts a wheel
   for (const double force : {0.0, 1e4, -1e-8})
   {
-    WheelsetState state;
-    state.force_z = force;
-    state.torque_x = 1e4;
-    const WheelsetResult& result = contact.evaluate(state);
+    const WheelsetResult& result = contact.evaluate(stateAt(0, -0.5 * force, 0, 1e4));
     EXPECT_EQ(result.status, ContactStatus::lift_off) << result.reason;
     EXPECT_EQ(result.reason, "neither wheel carries a load");
     EXPECT_EQ(result.rail_wrench.force.z(), 0);
@@ -142,9 +134,7 @@ Loading pressDown(WheelsetContact& contact, double y, double roll, double z)
   constexpr double height = 1.2e-3;
   contact.reset();
   Loading loading;
-  WheelsetState state;
-  state.y = y;
-  state.roll = roll;
+  WheelsetState state = heldAt(y, z, roll);
   for (int i = 0; i <= steps; ++i)
   {
     state.z = z + height * (steps - i) / steps;

@@ -3,7 +3,6 @@
 #include "core/balance/overlap_grids.h"
 
 #include "../../seeded.h"
-#include "../../usual_headers.h"
 #include "core/balance/rail_support.h"
 #include "wheelset_scene.h"
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Stress beneath the patches of a wheelset.
-#include "../../usual_headers.h"
 #include "core/balance/rail_support.h"
 #include "core/track/contact_search.h"
 #include "round_bodies.h"
 #include "same_bits.h"
-#include "wheelset_scene.h"
 
 using namespace wheel_rail_contact::core;
 

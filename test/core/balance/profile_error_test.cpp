@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Results with profiles from files: what noise and missing points leave open.
-#include "../../usual_headers.h"
 #include "core/balance/patch_result.h"
 #include "round_bodies.h"
-#include "wheel_rail_contact/core/profile_reader.h"
-#include "wheel_rail_contact/core/wheelset_contact.h"
 
 using namespace wheel_rail_contact::core;
 
@@ -147,11 +144,7 @@ TEST(ModelError, GrowsWithTheRatioAndIsLargerForParallelNormals)
     parallel = modelError(ratio, false);
     EXPECT_GE(parallel, turned);
   }
-}
-
-TEST(ModelError, IsOneBeyondTheContactsThatWereCompared)
-{
-  EXPECT_EQ(modelError(0.6, true), 1);
+  EXPECT_EQ(modelError(0.6, true), 1) << "beyond the contacts that were compared";
   EXPECT_EQ(modelError(std::nan(""), true), 1);
 }
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../../usual_headers.h"
 #include "core/balance/rail_support.h"
 #include "core/track/placement.h"
 #include "same_bits.h"
@@ -287,8 +286,7 @@ TEST(RailDisplacement, OfOneRailDoesNotAffectTheOther)
     {
       ContactModelConfig scene = sceneOf(model);
       scene.wheelset.solve_height_and_roll = false;
-      WheelsetState state = stateAt(1e-3, 0);
-      state.z = 0.4594;
+      WheelsetState state = heldAt(1e-3, 0.4594);
       WheelsetContact resting(scene), displaced(scene);
       const WheelsetResult& before = okResult(resting, state);
       state.rail_displacement[side] = {4e-4, 1e-4, 2e-3};

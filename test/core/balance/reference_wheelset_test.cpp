@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../../usual_headers.h"
-#include "wheel_rail_contact/core/profile_reader.h"
-#include "wheel_rail_contact/core/wheelset_contact.h"
 #include "wheelset_scene.h"
 
 using namespace wheel_rail_contact::core;

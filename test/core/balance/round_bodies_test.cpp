@@ -2,8 +2,6 @@
 // Accuracy of `method: auto` between round bodies and at the end of an arc.
 #include "round_bodies.h"
 
-#include "../../usual_headers.h"
-
 using namespace wheel_rail_contact::core;
 
 namespace

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../../seeded.h"
-#include "../../usual_headers.h"
 #include "round_bodies.h"
 #include "same_bits.h"
-#include "wheelset_scene.h"
 
 using namespace wheel_rail_contact::core;
 
@@ -121,9 +119,8 @@ TEST_F(SidesTest, AnOptionOfOneSideChangesTheContactOfThatSideOnly)
 {
   ContactModelConfig equal = onPads(softPads());
   equal.wheelset.solve_height_and_roll = false;
-  WheelsetState state = stateAt(1e-3, 0);
   WheelsetContact before(equal);
-  state.z = 0.4592;  // 0.8 mm below the height of first touch, on soft rails
+  const WheelsetState state = heldAt(1e-3, 0.4592);  // 0.8 mm below the height of first touch, on soft rails
   const WheelsetResult& result = okResult(before, state);
   for (const OptionOfASide& option : optionsOfASide())
   {

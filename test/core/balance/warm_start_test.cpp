@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../../usual_headers.h"
 #include "same_bits.h"
 #include "wheelset_scene.h"
 

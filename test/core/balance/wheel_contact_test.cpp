@@ -2,7 +2,6 @@
 // One wheel on the surface of its rail, against the reference code and its own energy.
 #include "core/balance/wheel_contact.h"
 
-#include "../../usual_headers.h"
 #include "../normal/problems.h"
 #include "conformal_reference.h"
 #include "core/balance/rail_support.h"

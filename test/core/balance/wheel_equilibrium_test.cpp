@@ -4,7 +4,6 @@
 
 #include <Eigen/LU>
 
-#include "../../usual_headers.h"
 #include "../normal/problems.h"
 #include "core/balance/rail_support.h"
 #include "wheelset_scene.h"
@@ -194,9 +193,8 @@ TEST(Stiffness, IsTheDerivativeOfTheForces)
   {
     const WheelsetResult& at = balanced.evaluate(stateAt(y, 1e5, 2e-3));
     ASSERT_TRUE(isUsable(at.status));
-    WheelsetState state = stateAt(y, 1e5, 2e-3);
-    state.z = at.z;
-    state.roll = at.roll;
+    WheelsetState state = heldAt(y, at.z, at.roll);
+    state.yaw = 2e-3;
     ASSERT_TRUE(isUsable(given.evaluate(state).status));
     const Sides<Eigen::Matrix3d> stiffness{given.stiffness(Side::left), given.stiffness(Side::right)};
     for (const int coordinate : {0, 1})
@@ -238,9 +236,7 @@ TEST(Stiffness, IsZeroWithoutLoad)
 {
   WheelsetContact contact(manchesterScene());
   EXPECT_TRUE(contact.stiffness(Side::left).isZero(0));
-  WheelsetState state = stateAt(0, 5e4);
-  state.torque_x = 1e6;
-  ASSERT_EQ(contact.evaluate(state).status, ContactStatus::lift_off);
+  ASSERT_EQ(contact.evaluate(stateAt(0, 5e4, 0, 1e6)).status, ContactStatus::lift_off);
   EXPECT_TRUE(contact.stiffness(Side::left).isZero(0));
   EXPECT_FALSE(contact.stiffness(Side::right).isZero(0));
 }

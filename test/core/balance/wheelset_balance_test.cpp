@@ -2,7 +2,6 @@
 #include "core/balance/wheelset_balance.h"
 
 #include "../../seeded.h"
-#include "../../usual_headers.h"
 #include "same_bits.h"
 #include "wheelset_scene.h"
 
@@ -86,14 +85,9 @@ TEST_F(WheelsetBalanceTest, SolvedHeightAndRollAsInputGiveTheSameLoads)
     WheelsetContact solved(scene_), given(given_scene);
     for (const double y : {0.0, 1e-3, -2.5e-3, 4e-3, -6e-3, 8e-3})
     {
-      WheelsetState state = stateAt(y, 8e4);
-      state.torque_x = 2e4;
+      const WheelsetState state = stateAt(y, 8e4, 0, 2e4);
       const WheelsetResult& found = okResult(solved, state);
-      WheelsetState back = state;
-      back.z = found.z;
-      back.roll = found.roll;
-      back.force_z = back.torque_x = 0;
-      const WheelsetResult& again = okResult(given, back);
+      const WheelsetResult& again = okResult(given, heldAt(y, found.z, found.roll));
       EXPECT_EQ(again.z, found.z);
       EXPECT_EQ(again.roll, found.roll);
       expectLoads(state, again, 0.005);
@@ -110,8 +104,7 @@ TEST_F(WheelsetBalanceTest, UnloadedWheelLiftsOffAndTheOtherCarriesAll)
   {
     for (const double bias : {1.0, 1.5})
     {
-      WheelsetState state = stateAt(1e-3, 5e4);
-      state.torque_x = sign * bias * 1e5 * scene_.wheelset.halfBase();
+      const WheelsetState state = stateAt(1e-3, 5e4, 0, sign * bias * 1e5 * scene_.wheelset.halfBase());
       const Side carrying = sign > 0 ? Side::right : Side::left;
       const Side lifted = sign > 0 ? Side::left : Side::right;
       const WheelsetResult& result = contact.evaluate(state);
@@ -132,11 +125,9 @@ TEST_F(WheelsetBalanceTest, RoundingErrorIsNotALoad)
   for (const double left : {1e-11, 1e-15, 1e-300})
   {
     WheelsetContact contact(scene_);
-    WheelsetState state = stateAt(6e-3, left);
-    EXPECT_EQ(contact.evaluate(state).status, ContactStatus::lift_off) << left;
-    state = stateAt(6e-3, 5e4);
-    state.torque_x = (1 - left / 5e4) * 1e5 * scene_.wheelset.halfBase();
-    const WheelsetResult& result = contact.evaluate(state);
+    EXPECT_EQ(contact.evaluate(stateAt(6e-3, left)).status, ContactStatus::lift_off) << left;
+    const double torque = (1 - left / 5e4) * 1e5 * scene_.wheelset.halfBase();
+    const WheelsetResult& result = contact.evaluate(stateAt(6e-3, 5e4, 0, torque));
     EXPECT_EQ(result.status, ContactStatus::lift_off) << left << " N of 5e4 N: " << result.reason;
     EXPECT_EQ(result.rail.left.vertical_force, 0);
   }
@@ -147,9 +138,7 @@ TEST_F(WheelsetBalanceTest, WheelsetWithoutLoadIsPlacedWithoutPatches)
   WheelsetContact contact(scene_);
   for (const double force : {0.0, 1e4})
   {
-    WheelsetState state;
-    state.force_z = force;
-    const WheelsetResult& result = contact.evaluate(state);
+    const WheelsetResult& result = contact.evaluate(stateAt(0, -0.5 * force));
     EXPECT_EQ(result.status, ContactStatus::lift_off) << result.reason;
     EXPECT_TRUE(result.patches.empty());
     EXPECT_TRUE(std::isfinite(result.z));

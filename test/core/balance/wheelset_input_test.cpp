@@ -62,12 +62,8 @@ TEST_F(WheelsetInputTest, GivenHeightAndRollAreChecked)
   WheelsetContact contact(scene_);
   for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), 1e3})
   {
-    WheelsetState state;
-    state.z = bad;
-    expectUnusable(contact.evaluate(state), ContactStatus::invalid_input);
-    state.z = 0.46;
-    state.roll = bad;
-    expectUnusable(contact.evaluate(state), ContactStatus::invalid_input);
+    expectUnusable(contact.evaluate(heldAt(0, bad)), ContactStatus::invalid_input);
+    expectUnusable(contact.evaluate(heldAt(0, 0.46, bad)), ContactStatus::invalid_input);
   }
 }
 
@@ -95,9 +91,7 @@ TEST_F(WheelsetInputTest, RaisedWheelsetHasNoContact)
 {
   scene_.wheelset.solve_height_and_roll = false;
   WheelsetContact contact(scene_);
-  WheelsetState state;
-  state.z = 0.47;
-  const WheelsetResult& result = contact.evaluate(state);
+  const WheelsetResult& result = contact.evaluate(heldAt(0, 0.47));
   EXPECT_EQ(result.status, ContactStatus::lift_off);
   EXPECT_TRUE(result.patches.empty());
   EXPECT_EQ(result.z, 0.47);
@@ -188,20 +182,15 @@ TEST_F(WheelsetInputTest, AHeightFarBelowTheRailsHasItsOwnStatus)
   WheelsetContact contact(scene_);
   for (const double y : {0.0, 3e-3, 6.5e-3})
   {
-    WheelsetState state;
-    state.y = y;
     for (const double z : {0.0, 0.2, 0.4, 0.445})
     {
-      state.z = z;
-      expectUnusable(contact.evaluate(state), ContactStatus::too_deep);
+      expectUnusable(contact.evaluate(heldAt(y, z)), ContactStatus::too_deep);
     }
-    state.z = 0.455;
-    const WheelsetResult& deep = contact.evaluate(state);
+    const WheelsetResult& deep = contact.evaluate(heldAt(y, 0.455));
     EXPECT_TRUE(isUsable(deep.status)) << deep.reason;
     EXPECT_TRUE(deep.implausible_force);
     EXPECT_NE(deep.reason.find("1 MN"), std::string::npos) << deep.reason;
-    state.z = 0.4598;
-    const WheelsetResult& shallow = contact.evaluate(state);
+    const WheelsetResult& shallow = contact.evaluate(heldAt(y, 0.4598));
     EXPECT_TRUE(isUsable(shallow.status)) << shallow.reason;
     EXPECT_EQ(shallow.implausible_force, y > 6e-3);
   }
@@ -217,10 +206,7 @@ TEST_F(WheelsetInputTest, AWrongLateralPositionIsNotAWrongHeight)
   WheelsetContact contact(scene_);
   for (const double y : {12e-3, 20e-3, 30e-3, 50e-3, 90e-3})
   {
-    WheelsetState state;
-    state.y = y;
-    state.z = height;
-    const WheelsetResult& result = contact.evaluate(state);
+    const WheelsetResult& result = contact.evaluate(heldAt(y, height));
     EXPECT_NE(result.status, ContactStatus::too_deep) << "y = " << y << " m: " << result.reason;
     EXPECT_TRUE(!isUsable(result.status) || result.implausible_force) << "y = " << y << " m";
   }

@@ -8,21 +8,32 @@ namespace wheel_rail_contact::core
 {
 constexpr double wheel_load = 1e5;  ///< usual load of a wheel [N]
 
-/// The model with a tolerance of 0.3 %.
-inline ContactModelConfig fineScene()
+/// The model with a tolerance [-].
+inline ContactModelConfig fineScene(double tolerance = 0.003)
 {
   ContactModelConfig config = manchesterScene();
-  config.contact.tolerance = 0.003;
+  config.contact.tolerance = tolerance;
   return config;
 }
 
-/// State at `y` [m] with the same load on each wheel [N].
-inline WheelsetState stateAt(double y, double load, double yaw = 0)
+/// State at `y` [m] with the same load on each wheel [N], or with a torque [N m].
+inline WheelsetState stateAt(double y, double load, double yaw = 0, double torque = 0)
 {
   WheelsetState state;
   state.y = y;
   state.yaw = yaw;
   state.force_z = -2 * load;
+  state.torque_x = torque;
+  return state;
+}
+
+/// State with a given height and roll.
+inline WheelsetState heldAt(double y, double z, double roll = 0)
+{
+  WheelsetState state;
+  state.y = y;
+  state.z = z;
+  state.roll = roll;
   return state;
 }
 

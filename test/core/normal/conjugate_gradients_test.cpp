@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/normal/solvers/conjugate_gradients.h"
 #include "../../refusal.h"
 #include "../../seeded.h"
 #include "dense_active_set.h"
-#include "problems.h"
 
 namespace wheel_rail_contact::core
 {

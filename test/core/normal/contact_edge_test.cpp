@@ -2,9 +2,7 @@
 #include "core/normal/measures/contact_edge.h"
 
 #include "../../seeded.h"
-#include "../../usual_headers.h"
 #include "core/normal/estimate/error_estimate.h"
-#include "core/normal/solvers/conjugate_gradients.h"
 #include "problems.h"
 
 using namespace wheel_rail_contact::core;

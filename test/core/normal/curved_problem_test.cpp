@@ -2,12 +2,9 @@
 #include <Eigen/Cholesky>
 
 #include "../../seeded.h"
-#include "../../usual_headers.h"
 #include "core/constants.h"
-#include "core/normal/solvers/conjugate_gradients.h"
 #include "core/normal/solvers/contact_tangent.h"
 #include "dense_active_set.h"
-#include "problems.h"
 
 namespace wheel_rail_contact::core
 {

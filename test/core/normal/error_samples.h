@@ -1,40 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../../usual_headers.h"
 #include "core/balance/patch_result.h"
 #include "core/balance/wheelset_balance.h"
 #include "core/normal/estimate/error_estimate.h"
 #include "core/normal/solvers/hertz_solver.h"
 #include "core/normal/solvers/kik_piotrowski.h"
-#include "core/normal/solvers/seidel.h"
 #include "gap_scenes.h"
 #include "pressure_extent.h"
-#include "problems.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 
 /// Solutions of random scenes. Their true errors are from the same scene on a grid four times finer in each direction.
 namespace wheel_rail_contact::core::scenes
 {
-enum class Method
-{
-  grid,  ///< conjugate gradients
-  hertz,
-  kik_piotrowski,
-  seidel,         ///< repaired; gap scenes only
-  seidel_printed  ///< gap scenes only
-};
-
 /// Random gap for a method. For Hertz half of the gaps are nearly round, because it is accurate there only.
-inline GapScene randomGapScene(Method method, Random& random)
+inline GapScene randomGapScene(NormalMethod method, Random& random)
 {
-  return method == Method::hertz && oneIn(random, 2) ? randomBowlScene(random) : randomGapScene(random);
+  return method == NormalMethod::hertz && oneIn(random, 2) ? randomBowlScene(random) : randomGapScene(random);
 }
 
 /// Sample of one patch.
 struct ErrorSample
 {
-  ErrorTerms terms;  ///< of Method::grid
+  ErrorTerms terms;  ///< of conjugate gradients
   ErrorEstimate estimate;
   ErrorEstimate error;  ///< true error
 };
@@ -47,32 +35,29 @@ constexpr GridSize closed_form_truth{96, 256};
 constexpr GridSize grids[] = {{4, 16},  {8, 16},  {8, 24},  {10, 24}, {12, 24}, {12, 32}, {16, 32}, {16, 48},
                               {12, 64}, {16, 64}, {24, 48}, {16, 96}, {32, 64}, {32, 96}, {48, 96}};
 
-inline std::unique_ptr<NormalSolver> makeSolver(Method method, double residual)
+inline bool isSeidel(NormalMethod method)
 {
-  if (method == Method::grid)
+  return method == NormalMethod::seidel || method == NormalMethod::seidel_printed;
+}
+
+inline std::unique_ptr<NormalSolver> makeSolver(NormalMethod method, double residual)
+{
+  if (method == NormalMethod::conjugate_gradient)
   {
     return std::make_unique<ConjugateGradients>(problems::solverTo(residual));
   }
-  if (method == Method::hertz)
-  {
-    return std::make_unique<HertzSolver>();
-  }
-  if (method == Method::kik_piotrowski)
-  {
-    return std::make_unique<KikPiotrowski>();
-  }
   SeidelOptions options;
-  options.form = method == Method::seidel ? SeidelOptions::Form::repaired : SeidelOptions::Form::printed;
+  options.form = method == NormalMethod::seidel_printed ? SeidelOptions::Form::printed : SeidelOptions::Form::repaired;
   options.residual = residual;
-  return std::make_unique<Seidel>(options);
+  return isSeidel(method) ? std::make_unique<Seidel>(options) : makeNormalSolver(method);
 }
 
 /// Fills terms and estimate. `own_approach` is that of the patch [m].
-inline ErrorSample describe(Method method, const NormalSolver& solver, const NormalProblem& problem,
+inline ErrorSample describe(NormalMethod method, const NormalSolver& solver, const NormalProblem& problem,
                             const NormalSolution& solution, std::size_t patch, double own_approach)
 {
   ErrorSample sample;
-  if (method == Method::grid)
+  if (method == NormalMethod::conjugate_gradient)
   {
     const double residual = solution.residual * (problem.patches.size() == 1 ? 1 : solution.approach / own_approach);
     sample.terms = errorTerms(problem.patches[patch], solution.patches[patch], problem.modulus, residual);
@@ -94,7 +79,7 @@ class GapSampler
  public:
   /// Adds a sample for every patch. Returns false under the conditions of solve(), or if a patch has no pressure on the
   /// cells of the sample.
-  bool sample(Method method, const GapScene& scene, const GridSize& size, Random& random,
+  bool sample(NormalMethod method, const GapScene& scene, const GridSize& size, Random& random,
               std::vector<ErrorSample>& samples)
   {
     const auto solver = makeSolver(method, spread(random, 1e-5, 1e-3));
@@ -108,7 +93,7 @@ class GapSampler
 
   /// Solves a scene by `solver` on a random box with `size` cells, and the reference on finer cells. Returns false if
   /// there is no usable reference (a patch without pressure, or no box found) or no result of the method.
-  bool solve(Method method, NormalSolver& solver, const GapScene& scene, const GridSize& size, Random& random)
+  bool solve(NormalMethod method, NormalSolver& solver, const GapScene& scene, const GridSize& size, Random& random)
   {
     problem_.modulus = modulus;
     problem_.value = scene.load;
@@ -130,7 +115,8 @@ class GapSampler
     coarse_ = problem_;
     for (PatchGap& patch : problem_.patches)
     {
-      patch.grid = method == Method::hertz ? regridded(patch.grid, closed_form_truth) : refined(patch.grid, finer);
+      patch.grid =
+          method == NormalMethod::hertz ? regridded(patch.grid, closed_form_truth) : refined(patch.grid, finer);
     }
     fill(scene);
     ConjugateGradients strict = problems::solverTo(1e-6, 1000);
@@ -208,7 +194,7 @@ class GapSampler
     return covering(tight, length, middleOf(tight) + shift, width, size);
   }
 
-  bool add(Method method, const NormalSolver& solver, std::vector<ErrorSample>& samples) const
+  bool add(NormalMethod method, const NormalSolver& solver, std::vector<ErrorSample>& samples) const
   {
     for (std::size_t k = 0; k < coarse_.patches.size(); ++k)
     {
@@ -271,7 +257,7 @@ inline WheelsetScene randomWheelsetScene(Random& random)
 class WheelsetSampler
 {
  public:
-  explicit WheelsetSampler(Method method) : method_(method) {}
+  explicit WheelsetSampler(NormalMethod method) : method_(method) {}
 
   /// Adds a sample for every contact of a wheel that has as many contacts in the reference. Returns false if this does
   /// not hold for both wheels, or if the scene has no solution.
@@ -281,13 +267,13 @@ class WheelsetSampler
     ContactModelConfig strict = scene.config;
     strict.contact.tolerance = 1e-4;
     ContactModelConfig settled = scene.config;
-    if (method_ == Method::grid)
+    if (method_ == NormalMethod::conjugate_gradient)
     {
       settled.contact.tolerance = settledTolerance(size);
     }
     const GridLevels& levels = levelsFor(method_, size);
     WheelsetBalance balance(settled, levels);
-    WheelsetBalance truth(strict, levelsFor(Method::grid, true_size));
+    WheelsetBalance truth(strict, levelsFor(NormalMethod::conjugate_gradient, true_size));
     if (balance.solve(scene.state) != ContactStatus::ok || truth.solve(scene.state) != ContactStatus::ok)
     {
       return false;
@@ -302,16 +288,13 @@ class WheelsetSampler
   }
 
   /// Solver of a method on a grid; kept for further calls.
-  const GridLevels& levelsFor(Method method, const GridSize& size)
+  const GridLevels& levelsFor(NormalMethod method, const GridSize& size)
   {
     std::unique_ptr<GridLevels>& levels = solvers_[{static_cast<int>(method), size.along, size.across}];
     if (!levels)
     {
       ContactModelConfig config;
-      const NormalMethod solved_by = method == Method::grid    ? NormalMethod::conjugate_gradient
-                                     : method == Method::hertz ? NormalMethod::hertz
-                                                               : NormalMethod::kik_piotrowski;
-      config.contact = {solved_by, settledTolerance(size), size.along, size.across};
+      config.contact = {method, settledTolerance(size), size.along, size.across};
       levels = std::make_unique<GridLevels>(config);
     }
     return *levels;
@@ -347,7 +330,7 @@ class WheelsetSampler
     return alike;
   }
 
-  Method method_;
+  NormalMethod method_;
   std::map<std::array<int, 3>, std::unique_ptr<GridLevels>> solvers_;
 };
 }  // namespace wheel_rail_contact::core::scenes

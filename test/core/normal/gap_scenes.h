@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../../usual_headers.h"
 #include "core/constants.h"
 #include "core/normal/operator/operator_cache.h"
-#include "core/normal/solvers/conjugate_gradients.h"
 #include "problems.h"
-#include "wheel_rail_contact/core/normal_problem.h"
 
 /// Random contacts defined by the gap of two bodies, for tests and for the calibration of error estimates.
 namespace wheel_rail_contact::core::scenes

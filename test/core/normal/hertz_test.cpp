@@ -2,8 +2,6 @@
 #include "core/normal/solvers/hertz.h"
 
 #include "../../seeded.h"
-#include "../../usual_headers.h"
-#include "core/normal/solvers/conjugate_gradients.h"
 #include "problems.h"
 
 using namespace wheel_rail_contact::core;

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../allocation_counter.h"
 #include "core/normal/operator/operator_cache.h"
-#include "core/normal/solvers/conjugate_gradients.h"
 #include "core/normal/solvers/hertz_solver.h"
 #include "core/normal/solvers/kik_piotrowski.h"
-#include "core/normal/solvers/seidel.h"
 #include "problems.h"
 
 #ifdef __GLIBC__

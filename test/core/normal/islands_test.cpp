@@ -3,8 +3,6 @@
 #include "core/normal/estimate/islands.h"
 
 #include "../../manchester_scene.h"
-#include "../../usual_headers.h"
-#include "core/normal/solvers/conjugate_gradients.h"
 #include "core/track/placement.h"
 #include "problems.h"
 

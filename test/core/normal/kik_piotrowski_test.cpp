@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/normal/solvers/kik_piotrowski.h"
 
-#include "../../usual_headers.h"
-#include "core/normal/solvers/conjugate_gradients.h"
 #include "problems.h"
 
 namespace wheel_rail_contact::core

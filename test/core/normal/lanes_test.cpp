@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/normal/operator/lanes.h"
 
-#include "../../usual_headers.h"
 #include "problems.h"
 
 namespace wheel_rail_contact::core

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../../usual_headers.h"
-#include "core/normal/solvers/conjugate_gradients.h"
 #include "problems.h"
 
 namespace wheel_rail_contact::core

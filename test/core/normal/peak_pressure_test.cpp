@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/normal/measures/peak_pressure.h"
 
-#include "../../usual_headers.h"
 #include "core/constants.h"
 #include "core/normal/measures/discontinuity_bias.h"
 #include "core/normal/measures/gap_steps.h"
-#include "core/normal/solvers/conjugate_gradients.h"
 #include "error_samples.h"
-#include "gap_scenes.h"
-#include "problems.h"
 
 using namespace wheel_rail_contact::core;
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Noise of the points of a file, and points that are missing.
-#include "../../usual_headers.h"
 #include "core/profile/noise/noise.h"
 #include "profile_helpers.h"
 #include "wheel_rail_contact/core/profile_reader.h"
@@ -37,6 +36,12 @@ std::string table(const std::vector<SampledPoint>& points, int decimals)
     text += row;
   }
   return text;
+}
+
+/// Rail that is read from a table of points in mm.
+DescribedProfile railOf(const std::vector<SampledPoint>& points, int decimals, const ProfileReading& reading = {})
+{
+  return describedProfile(Folder().write("rail.csv", table(points, decimals)), ProfileKind::rail, reading);
 }
 
 /// Largest deviation of the curvature on the crown of a rail, |y| < 8 mm, from that of 60E1 [1/m].
@@ -110,13 +115,11 @@ TEST(NoiseEstimate, OfFewPointsIsNotKnown)
 
 TEST(NoiseEstimate, CountsTheDigitsOfAFile)
 {
-  const Folder folder;
   // Rounding to a multiple of q has the standard deviation q/sqrt(12): 2.9 um for 2 decimals.
   const std::pair<int, double> cases[] = {{2, 2.88e-6}, {3, 0.288e-6}, {4, 0.0288e-6}};
   for (const auto& [decimals, noise] : cases)
   {
-    const std::string path = folder.write("rail.csv", table(noisy(rail60E1(), 0, 0.3 * mm), decimals));
-    const ProfileReport report = describedProfile(path, ProfileKind::rail).report;
+    const ProfileReport report = railOf(noisy(rail60E1(), 0, 0.3 * mm), decimals).report;
     EXPECT_GT(report.noise.value(), noise) << decimals << " decimals";
     EXPECT_LT(report.noise.value(), 2 * noise) << decimals << " decimals";
     EXPECT_EQ(report.smoothing, decimals == 4 ? 0 : report.noise);
@@ -125,8 +128,7 @@ TEST(NoiseEstimate, CountsTheDigitsOfAFile)
   // ones.
   for (const double spacing : {0.06 * mm, 12 * mm})
   {
-    const std::string path = folder.write("rail.csv", table(noisy(rail60E1(), 0, spacing), 2));
-    EXPECT_GE(describedProfile(path, ProfileKind::rail).report.noise.value(), 2.88e-6) << spacing;
+    EXPECT_GE(railOf(noisy(rail60E1(), 0, spacing), 2).report.noise.value(), 2.88e-6) << spacing;
   }
   // 0.001 in.
   std::string inches = "y_in,z_in\n";
@@ -136,39 +138,35 @@ TEST(NoiseEstimate, CountsTheDigitsOfAFile)
     std::snprintf(row, sizeof row, "%.3f,%.3f\n", p.y / 0.0254, p.z / 0.0254);
     inches += row;
   }
-  const ProfileReport report = describedProfile(folder.write("rail.csv", inches), ProfileKind::rail).report;
+  const ProfileReport report = describedProfile(Folder().write("rail.csv", inches), ProfileKind::rail).report;
   EXPECT_GT(report.smoothing, 7.3e-6);
   EXPECT_LT(report.smoothing, 14e-6);
   // Whole millimetres do not determine a curvature.
-  const std::string whole = folder.write("rail.csv", table(noisy(rail60E1(), 0, 1 * mm), 0));
-  EXPECT_THROW(readProfile(whole, ProfileKind::rail), FileError);
+  EXPECT_THROW(railOf(noisy(rail60E1(), 0, 1 * mm), 0), FileError);
 }
 
 TEST(Smoothing, IsEstimatedUnlessStated)
 {
   SCOPED_TRACE("seed " + std::to_string(seed));
-  const Folder folder;
-  const std::string path = folder.write("rail.csv", table(noisy(rail60E1(), 5e-6, 0.25 * mm), 6));
+  const std::vector<SampledPoint> points = noisy(rail60E1(), 5e-6, 0.25 * mm);
   ProfileReading reading;
-  const DescribedProfile estimated = describedProfile(path, ProfileKind::rail);
+  const DescribedProfile estimated = railOf(points, 6);
   EXPECT_NEAR(estimated.report.smoothing, 6e-6, 1.5e-6);
   EXPECT_LT(crownError(estimated.profile), 2.0);
   reading.smoothing = 0;
-  const DescribedProfile none = describedProfile(path, ProfileKind::rail, reading);
+  const DescribedProfile none = railOf(points, 6, reading);
   EXPECT_GT(crownError(none.profile), 100);
   EXPECT_NEAR(none.report.noise.value(), 6e-6, 1.5e-6) << "reported all the same";
   reading.smoothing = 20e-6;
-  EXPECT_EQ(describedProfile(path, ProfileKind::rail, reading).report.smoothing, 20e-6);
+  EXPECT_EQ(railOf(points, 6, reading).report.smoothing, 20e-6);
 }
 
 TEST(ShapeError, CoversTheErrorOfTheCurvature)
 {
   SCOPED_TRACE("seed " + std::to_string(seed));
-  const Folder folder;
   for (const double noise : {1e-6, 5e-6})
   {
-    const Profile profile =
-        readProfile(folder.write("rail.csv", table(noisy(rail60E1(), noise, 0.25 * mm), 6)), ProfileKind::rail);
+    const Profile profile = railOf(noisy(rail60E1(), noise, 0.25 * mm), 6).profile;
     const Profile exact = rail60E1();
     int outside = 0, places = 0;
     for (double y = -34 * mm; y <= 34 * mm; y += 0.5 * mm)
@@ -195,12 +193,8 @@ TEST(ShapeError, IsZeroForStandardProfiles)
 TEST(ShapeError, OfAnInterpolationIsThatOfItsNoise)
 {
   SCOPED_TRACE("seed " + std::to_string(seed));
-  const Folder folder;
-  ProfileReading reading;
-  reading.smoothing = 0;
   const double spacing = 0.5 * mm;
-  const Profile profile =
-      readProfile(folder.write("rail.csv", table(noisy(rail60E1(), 1e-6, spacing), 6)), ProfileKind::rail, reading);
+  const Profile profile = railOf(noisy(rail60E1(), 1e-6, spacing), 6, {0.0}).profile;
   double squares = 0;
   int places = 0;
   for (const double u : profile.discontinuities())
@@ -219,10 +213,7 @@ TEST(ShapeError, OfAnInterpolationIsThatOfItsNoise)
 
 TEST(MissingPoints, AreKnownByTheDistancesOfTheFile)
 {
-  const Folder folder;
-  const std::vector<SampledPoint> points = noisy(rail60E1(), 0, 0.2 * mm);
-  const DescribedProfile read =
-      describedProfile(folder.write("gap.csv", table(without(points, -10 * mm, 2 * mm), 6)), ProfileKind::rail);
+  const DescribedProfile read = railOf(without(noisy(rail60E1(), 0, 0.2 * mm), -10 * mm, 2 * mm), 6);
   EXPECT_TRUE(read.profile.errorAt(parameterAt(read.profile, -4 * mm)).missing);
   EXPECT_FALSE(read.profile.errorAt(parameterAt(read.profile, -11 * mm)).missing);
   EXPECT_FALSE(read.profile.errorAt(parameterAt(read.profile, 3 * mm)).missing);
@@ -233,10 +224,7 @@ TEST(MissingPoints, AreKnownByTheDistancesOfTheFile)
 TEST(MissingPoints, AreFoundInSmoothedProfiles)
 {
   SCOPED_TRACE("seed " + std::to_string(seed));
-  const Folder folder;
-  const std::vector<SampledPoint> points = noisy(rail60E1(), 2e-6, 0.2 * mm);
-  const Profile read =
-      readProfile(folder.write("gap.csv", table(without(points, -10 * mm, 2 * mm), 6)), ProfileKind::rail);
+  const Profile read = railOf(without(noisy(rail60E1(), 2e-6, 0.2 * mm), -10 * mm, 2 * mm), 6).profile;
   EXPECT_TRUE(read.errorAt(parameterAt(read, -4 * mm)).missing);
   EXPECT_FALSE(read.errorAt(parameterAt(read, 5 * mm)).missing);
 }
@@ -257,17 +245,13 @@ TEST(MissingPoints, OfAStraightLineAreThoseOfAMeasurement)
 
 TEST(MissingPoints, AreThoseOfAFileThatIsTooCoarse)
 {
-  const Folder folder;
-  const Profile read =
-      readProfile(folder.write("coarse.csv", table(noisy(rail60E1(), 0, 6 * mm), 9)), ProfileKind::rail);
+  const Profile read = railOf(noisy(rail60E1(), 0, 6 * mm), 9).profile;
   EXPECT_TRUE(read.errorAt(parameterAt(read, 0)).missing);
 }
 
 TEST(MissingPoints, AreNotSeenInAnEvenlyCoarseFile)
 {
-  const Folder folder;
-  const Profile read =
-      readProfile(folder.write("coarse.csv", table(noisy(rail60E1(), 0, 3 * mm), 9)), ProfileKind::rail);
+  const Profile read = railOf(noisy(rail60E1(), 0, 3 * mm), 9).profile;
   EXPECT_FALSE(read.errorWithin(0, read.length()).missing);
 }
 
@@ -275,7 +259,6 @@ TEST(MissingPoints, AreNotSeenInAnEvenlyCoarseFile)
 TEST(Outliers, AreOmittedAndReported)
 {
   SCOPED_TRACE("seed " + std::to_string(seed));
-  const Folder folder;
   for (const double noise : {0.0, 2e-6})
   {
     for (const double spacing : {0.05 * mm, 0.25 * mm, 1 * mm})
@@ -290,7 +273,7 @@ TEST(Outliers, AreOmittedAndReported)
         {
           points[at + k].z += k == 0 ? 0.1 * mm : -0.1 * mm;
         }
-        const DescribedProfile read = describedProfile(folder.write("rail.csv", table(points, 7)), ProfileKind::rail);
+        const DescribedProfile read = railOf(points, 7);
         const std::string what = std::to_string(count) + " points, noise " + std::to_string(noise * 1e6) +
                                  " um, spacing " + std::to_string(spacing / mm) + " mm: " + read.report.text;
         EXPECT_NE(read.report.text.find("off the curve of the neighbours"), std::string::npos) << what;
@@ -320,12 +303,11 @@ TEST(Outliers, AreNotFoundOnStandardProfiles)
 
 TEST(Outliers, ThatAreManyAreRefused)
 {
-  const Folder folder;
   std::vector<SampledPoint> points = noisy(rail60E1(), 0, 0.25 * mm);
   for (std::size_t i = 20; i < points.size() - 20; i += 25)
   {
     points[i].z += 0.05 * mm;
   }
-  EXPECT_THROW(readProfile(folder.write("rail.csv", table(points, 7)), ProfileKind::rail), FileError);
+  EXPECT_THROW(railOf(points, 7), FileError);
 }
 }  // namespace wheel_rail_contact::core

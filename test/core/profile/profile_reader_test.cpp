@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wheel_rail_contact/core/profile_reader.h"
 
-#include "../../usual_headers.h"
 #include "core/profile/curve/spline.h"
 #include "profile_helpers.h"
 
@@ -18,6 +17,14 @@ void expectRejected(const std::string& path, ProfileKind kind, std::size_t line,
   EXPECT_EQ(error.line(), line) << error.what();
   EXPECT_TRUE(contains(error.reason(), reason));
   EXPECT_EQ(error.what(), path + (line > 0 ? ":" + std::to_string(line) : "") + ": " + error.reason());
+}
+
+/// The same for a file with this text.
+void expectTextRejected(const std::string& text, std::size_t line, const std::string& reason,
+                        ProfileKind kind = ProfileKind::rail, const std::string& name = "bad.csv")
+{
+  const Folder folder;
+  expectRejected(folder.write(name, text), kind, line, reason);
 }
 
 /// The points in a random order that is the same with every standard library. The order of std::shuffle is not.
@@ -76,44 +83,41 @@ TEST(TableProfile, TitlesDetermineTheUnit)
 
 TEST(TableProfile, TwoNumbersInOneUnitAreRequired)
 {
-  const Folder folder;
   const std::string points = lines(pointsOf(rail60E1()), ",");
-  const auto rejected = [&](const std::string& text, std::size_t line, const std::string& reason)
-  { expectRejected(folder.write("bad.csv", text), ProfileKind::rail, line, reason); };
-  rejected("y,z\n" + points, 0, "does not state its unit");
-  rejected("y_mm,z_m\n" + points, 1, "must be the same");
-  rejected("y [furlong],z [furlong]\n" + points, 1, "unit 'furlong'");
-  rejected("a_mm,b_mm\n" + points, 1, "nor titles of columns y and z");
-  rejected("y_m,z_m\n" + points + "0.1\n", 2 + static_cast<std::size_t>(std::count(points.begin(), points.end(), '\n')),
-           "number of columns is 1");
-  rejected("y_m,z_m\n0,0,0\n", 2, "number of columns is 3");
+  expectTextRejected("y,z\n" + points, 0, "does not state its unit");
+  expectTextRejected("y_mm,z_m\n" + points, 1, "must be the same");
+  expectTextRejected("y [furlong],z [furlong]\n" + points, 1, "unit 'furlong'");
+  expectTextRejected("a_mm,b_mm\n" + points, 1, "nor titles of columns y and z");
+  expectTextRejected("y_m,z_m\n" + points + "0.1\n",
+                     2 + static_cast<std::size_t>(std::count(points.begin(), points.end(), '\n')),
+                     "number of columns is 1");
+  expectTextRejected("y_m,z_m\n0,0,0\n", 2, "number of columns is 3");
   for (const char* word : {"nan", "inf", "1e999", "0x10", ""})
   {
-    rejected("y_m,z_m\n0,0\n0," + std::string(word) + "\n", 3, "'" + std::string(word) + "' is not a finite number");
+    expectTextRejected("y_m,z_m\n0,0\n0," + std::string(word) + "\n", 3,
+                       "'" + std::string(word) + "' is not a finite number");
   }
-  rejected("y_m,z_m\n0,0\n0;0\n", 3, "number of columns is 1");
+  expectTextRejected("y_m,z_m\n0,0\n0;0\n", 3, "number of columns is 1");
 }
 
 TEST(ProfileFiles, BinaryEmptyAndOversizedFilesAreRejected)
 {
   const Folder folder;
-  const auto rejected = [&](const std::string& text, std::size_t line, const std::string& reason)
-  { expectRejected(folder.write("bad.csv", text), ProfileKind::rail, line, reason); };
-  rejected("", 0, "is empty");
-  rejected(" \r\n\t\n", 0, "is empty");
-  rejected(std::string("y_m,z_m\n0,0\0", 12), 0, "binary");
-  rejected(
+  expectTextRejected("", 0, "is empty");
+  expectTextRejected(" \r\n\t\n", 0, "is empty");
+  expectTextRejected(std::string("y_m,z_m\n0,0\0", 12), 0, "binary");
+  expectTextRejected(
       "\x7F"
       "ELF",
       0, "binary");
-  rejected(std::string((4U << 20U) + 1U, '#'), 0, "larger than 4 MiB");
-  rejected("y_m,z_m\n" + std::string(2000, '1'), 2, "line has more than");
+  expectTextRejected(std::string((4U << 20U) + 1U, '#'), 0, "larger than 4 MiB");
+  expectTextRejected("y_m,z_m\n" + std::string(2000, '1'), 2, "line has more than");
   std::string many = "y_m,z_m\n";
   for (int i = 0; i < 20001; ++i)
   {
     many += "0,0\n";
   }
-  rejected(many, 20002, "more than 20000 points");
+  expectTextRejected(many, 20002, "more than 20000 points");
   expectRejected(folder.path("."), ProfileKind::rail, 0, "no such file");
   std::filesystem::create_directories(folder.path("folder.csv"));
   expectRejected(folder.path("folder.csv"), ProfileKind::rail, 0, "no such file");
@@ -121,10 +125,9 @@ TEST(ProfileFiles, BinaryEmptyAndOversizedFilesAreRejected)
 
 TEST(ProfileFiles, ImplausibleProfilesAreRejected)
 {
-  const Folder folder;
   const auto rejected = [&](const std::vector<Point>& points, std::size_t line, const std::string& reason,
                             ProfileKind kind = ProfileKind::rail)
-  { expectRejected(folder.write("bad.csv", csv(points)), kind, line, reason); };
+  { expectTextRejected(csv(points), line, reason, kind); };
   const std::vector<Point> rail = pointsOf(rail60E1());
   const std::vector<Point> wheel = pointsOf(s1002Wheel());
 
@@ -227,13 +230,10 @@ TEST(MiniProfProfile, OriginOfAWheelIsOnTheRunningCircle)
 
 TEST(MiniProfProfile, WheelThatEndsBesideItsRunningCircleIsRejected)
 {
-  const Folder folder;
   const std::string points = lines(changed(pointsOf(s1002Wheel()), miniProfWheel), " ");
-  const auto rejected = [&](const std::string& text, const std::string& reason)
-  { expectRejected(folder.write("bad.whl", text), ProfileKind::wheel, 0, reason); };
-  rejected("WheelDiameterTaperline=920\n" + points, "X = 920 mm");
+  expectTextRejected("WheelDiameterTaperline=920\n" + points, 0, "X = 920 mm", ProfileKind::wheel, "bad.whl");
   // X counted from the running circle; the tread then ends before X = 70 mm.
-  rejected("Xoffset=-70\n" + points, "X = 70 mm");
+  expectTextRejected("Xoffset=-70\n" + points, 0, "X = 70 mm", ProfileKind::wheel, "bad.whl");
 }
 
 TEST(MiniProfProfile, GaugeSideOfARailIsAtPositiveX)
@@ -286,12 +286,11 @@ TEST(MiniProfProfile, OverlapOfTwoStrokesIsOmitted)
 
 TEST(MiniProfProfile, DamagedFilesAreRejected)
 {
-  const Folder folder;
   const std::vector<Point> rail = changed(pointsOf(rail60E1()), miniProfRail);
   const std::string points = lines(rail, " ");
   const std::size_t count = rail.size();
-  const auto rejected = [&](const std::string& text, std::size_t line, const std::string& reason)
-  { expectRejected(folder.write("bad.ban", text), ProfileKind::rail, line, reason); };
+  const auto rejected = [](const std::string& text, std::size_t line, const std::string& reason)
+  { expectTextRejected(text, line, reason, ProfileKind::rail, "bad.ban"); };
   rejected("XYPoints=" + std::to_string(count + 1) + "\n" + points, count + 1, "truncated");
   rejected("ColumnDef=X,Y,A\n" + points, 2, "ColumnDef states 3");
   rejected("ColumnDef=X,A\n" + points, 1, "ColumnDef has no Y");

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../../seeded.h"
-#include "../../usual_headers.h"
 #include "core/profile/along/changing_profile.h"
 #include "section_scenes.h"
-#include "wheel_rail_contact/core/profile.h"
 
 using namespace wheel_rail_contact::core;
 using namespace wheel_rail_contact::core::section_scenes;
 
 namespace
 {
-constexpr double pi = 3.14159265358979323846;
-
 Profile single(const SectionLaw& law, double length)
 {
   return {"single", {{law, length}}};
@@ -59,7 +55,7 @@ TEST(ProfileSection, ArcHasConstantRadiusAndArcLengthAsParameter)
 
 TEST(ProfileSection, SlopeOfAVerticalArcIsInfinite)
 {
-  const Profile arc = single(ArcSection{0.0, 0.0, 0.02, pi, 1.0}, 0.01);
+  const Profile arc = single(ArcSection{0.0, 0.0, 0.02, M_PI, 1.0}, 0.01);
   EXPECT_GT(std::abs(arc.at(0.0).slope()), 1e15);
   EXPECT_NEAR(arc.at(0.0).curvature(), 50.0, 1e-12);
 }
@@ -94,11 +90,11 @@ TEST(ProfileSection, CubicHasTheDerivativesOfItsFormula)
 
 TEST(Profile, EndSectionsAreContinuedBeyondTheEnds)
 {
-  const Profile profile("two",
-                        {{LineSection{0.0, 0.0, 1.0, 0.0}, 0.01}, {ArcSection{0.01, 0.02, 0.02, -pi / 2, 1.0}, 0.01}});
+  const Profile profile(
+      "two", {{LineSection{0.0, 0.0, 1.0, 0.0}, 0.01}, {ArcSection{0.01, 0.02, 0.02, -M_PI / 2, 1.0}, 0.01}});
   EXPECT_DOUBLE_EQ(profile.at(-0.005).y, -0.005);
   EXPECT_DOUBLE_EQ(profile.at(-0.005).z, 0.0);
-  EXPECT_NEAR(profile.at(0.01 + pi * 0.02).z, 0.04, 1e-16);
+  EXPECT_NEAR(profile.at(0.01 + M_PI * 0.02).z, 0.04, 1e-16);
 }
 
 TEST(Profile, SecondSectionIsUsedAtASectionBoundary)
@@ -194,7 +190,7 @@ TEST(ProfileCursor, ThirdDerivativesAgreeWithDifferencesOfTheSecond)
 
 TEST(Profile, PartsAreSeparateCurvesThatIncludeTheirEnds)
 {
-  const std::vector<ProfileSection> first{{ArcSection{0, 0, 0.02, pi, -1}, 0.03}, {LineSection{0, 0.02, 1, 0}, 0.01}};
+  const std::vector<ProfileSection> first{{ArcSection{0, 0, 0.02, M_PI, -1}, 0.03}, {LineSection{0, 0.02, 1, 0}, 0.01}};
   const std::vector<ProfileSection> second{{LineSection{0.05, 0.01, 0.8, 0.6}, 0.02}};
   const section_scenes::ProfileOfParts profile({first, second});
   ASSERT_EQ(profile.parts().size(), 2U);
@@ -232,7 +228,7 @@ TEST(ProfilePart, OriginIsItsPointNearestToTheOriginOfTheProfile)
 {
   // An arc of 0.3 m about a point below, whose top is 2 mm above the origin and 5 mm to the side; and a line beside it.
   const section_scenes::ProfileOfParts profile(
-      {{{ArcSection{0.005, -0.298, 0.3, pi / 2 + 0.1, -1}, 0.06}}, {{LineSection{0.1, 0.0, 0, 1}, 0.02}}});
+      {{{ArcSection{0.005, -0.298, 0.3, M_PI / 2 + 0.1, -1}, 0.06}}, {{LineSection{0.1, 0.0, 0, 1}, 0.02}}});
   const CurvePoint nearest = profile.at(profile.parts()[0].origin);
   EXPECT_NEAR(nearest.y * nearest.dy + nearest.z * nearest.dz, 0, 1e-9);
   EXPECT_NEAR(nearest.y, 0.005 - 0.3 * 0.005 / std::hypot(0.005, 0.298), 1e-9);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../../usual_headers.h"
 #include "core/profile/curve/spline.h"
 #include "profile_helpers.h"
 #include "section_scenes.h"

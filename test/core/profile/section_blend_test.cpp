@@ -2,7 +2,6 @@
 // Curves between two sections of a rail.
 #include "core/profile/along/section_blend.h"
 
-#include "../../usual_headers.h"
 #include "section_scenes.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../../usual_headers.h"
 #include "profile_helpers.h"
-#include "wheel_rail_contact/core/profile.h"
 
 namespace wheel_rail_contact::core
 {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../../refusal.h"
 #include "standard_helpers.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 
@@ -126,17 +125,11 @@ TEST(Rail60E1, TangencyGivesTheDepthsOfItsSections)
   EXPECT_NEAR(rail.at(discontinuities[6]).z, -14.299958 * mm, 1e-9);
 }
 
-/// Point of a second source [mm], z up.
-struct SourcePoint
-{
-  double y, z;
-};
-
-/// Largest distance of points from a rail [m], after their axes are moved to `crown`.
-double largestDistance(const Profile& rail, const std::vector<SourcePoint>& points, const SourcePoint& crown)
+/// Largest distance of points of a second source [mm], z up, from a rail [m], after their axes are moved to `crown`.
+double largestDistance(const Profile& rail, const std::vector<Point>& points, const Point& crown)
 {
   double largest = 0.0;
-  for (const SourcePoint& point : points)
+  for (const Point& point : points)
   {
     largest = std::max(largest, std::abs(height(rail, (point.y - crown.y) * mm, (point.z - crown.z) * mm)));
   }
@@ -147,7 +140,7 @@ double largestDistance(const Profile& rail, const std::vector<SourcePoint>& poin
 // 83.89223 mm in the file, found from the points near it.
 TEST(Rail54E1, ProfilePassesThroughThePointsOfRolland)
 {
-  const std::vector<SourcePoint> points = {
+  const std::vector<Point> points = {
       {-35.54118480, 58.96855652}, {-35.03629205, 69.06641160}, {-34.78599123, 71.57890635},
       {-33.24096683, 75.70087589}, {-30.40891614, 79.07092028}, {-26.61455672, 81.30263812},
       {-24.18168753, 81.97733179}, {-21.08063308, 82.58126895}, {-16.07638641, 83.29149395},
@@ -159,18 +152,18 @@ TEST(Rail54E1, ProfilePassesThroughThePointsOfRolland)
 // rail_54E3.csv of the same source. Its crown lies 9 um lower than the arcs R80 and R13 of the standard place it.
 TEST(Rail54E3, ProfileIsCloseToThePointsOfRolland)
 {
-  const std::vector<SourcePoint> points = {{-33.55587657, 63.95420362}, {-33.34752633, 66.29909222},
-                                           {-32.30909665, 69.66502059}, {-30.40512690, 72.62857322},
-                                           {-27.77552296, 74.97226985}, {-24.61323940, 76.52396880},
-                                           {-21.17624466, 77.33406033}, {-15.36213605, 78.26111963},
-                                           {-9.495598718, 78.75814203}, {0.5134293243, 78.92199764}};
+  const std::vector<Point> points = {{-33.55587657, 63.95420362}, {-33.34752633, 66.29909222},
+                                     {-32.30909665, 69.66502059}, {-30.40512690, 72.62857322},
+                                     {-27.77552296, 74.97226985}, {-24.61323940, 76.52396880},
+                                     {-21.17624466, 77.33406033}, {-15.36213605, 78.26111963},
+                                     {-9.495598718, 78.75814203}, {0.5134293243, 78.92199764}};
   EXPECT_LT(largestDistance(rail54E3(), points, {0.0, 78.93149}), 0.0095 * mm);
 }
 
 // rail_60E2.csv of the same source. There the centres of the arcs R200 are 0.22 mm beside the axis of symmetry.
 TEST(Rail60E2, ProfileIsCloseToThePointsOfRolland)
 {
-  const std::vector<SourcePoint> points = {
+  const std::vector<Point> points = {
       {-36.07610574, 75.49908816}, {-35.85512261, 78.18994637}, {-34.61339907, 81.31743523},
       {-32.22185083, 84.57765223}, {-29.08938945, 87.13425504}, {-25.41605020, 88.82396755},
       {-22.13386307, 89.61989249}, {-18.14366511, 90.33404373}, {-14.11882687, 90.81608951},
@@ -182,7 +175,7 @@ TEST(Rail60E2, ProfileIsCloseToThePointsOfRolland)
 // are placed in the track; their crown was found by a fit to all points down to 10 mm.
 TEST(Rail56E1, ProfilePassesThroughThePointsOfTheStockRailOfTheSAndCBenchmark)
 {
-  const std::vector<SourcePoint> points = {
+  const std::vector<Point> points = {
       {-33.84680, -9.71593}, {-31.59630, -6.43180}, {-28.43940, -4.00596}, {-24.69570, -2.63834}, {-20.80410, -1.72505},
       {-16.87160, -1.00744}, {-12.90830, -0.48716}, {-8.92387, -0.16551},  {-4.92844, -0.03774},  {-0.93085, -0.00105},
       {3.06688, -0.01677},   {7.06385, -0.09265},   {11.05390, -0.33473},  {15.02690, -0.77576},  {18.97280, -1.41469},

@@ -2,7 +2,6 @@
 #include "core/track/contact_search.h"
 #include "../../manchester_scene.h"
 #include "../../seeded.h"
-#include "../../usual_headers.h"
 #include "../profile/section_scenes.h"
 #include "dense_separation.h"
 

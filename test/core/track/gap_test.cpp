@@ -208,11 +208,10 @@ TEST_F(GapTest, GapIsNegativeOnlyWhereTheBodiesOverlap)
     ASSERT_TRUE(build(cells));
     for (const OverlapInterval& interval : intervals)
     {
-      const auto nearest = std::min_element(columns_.begin(), columns_.end(),
-                                            [&](const SurfaceColumn& one, const SurfaceColumn& other) {
-                                              return std::abs(one.rail_u - interval.contact.rail_u) <
-                                                     std::abs(other.rail_u - interval.contact.rail_u);
-                                            });
+      const auto away = [&](const SurfaceColumn& at) { return std::abs(at.rail_u - interval.contact.rail_u); };
+      const auto nearest =
+          std::min_element(columns_.begin(), columns_.end(),
+                           [&](const auto& one, const auto& other) { return away(one) < away(other); });
       EXPECT_LT(gap_.col(nearest - columns_.begin()).minCoeff(), 0) << "y " << y;
     }
     int outside = 0;

@@ -7,7 +7,6 @@
 #include "../../refusal.h"
 #include "../../seeded.h"
 #include "core/track/contact_search.h"
-#include "wheel_rail_contact/core/profile_reader.h"
 
 using namespace wheel_rail_contact::core;
 

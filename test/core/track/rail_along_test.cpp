@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/track/rail_along.h"
 #include "../../manchester_scene.h"
-#include "../../temporary_folder.h"
-#include "../../usual_headers.h"
 #include "../profile/profile_helpers.h"
 #include "../profile/section_scenes.h"
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../../refusal.h"
 #include "../../seeded.h"
-#include "../../temporary_folder.h"
 #include "../profile/profile_helpers.h"
 #include "wheel_rail_contact/core/track.h"
 
