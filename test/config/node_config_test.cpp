@@ -3,7 +3,6 @@
 
 #include <set>
 
-#include "../usual_headers.h"
 #include "parameter_helpers.h"
 
 using namespace wheel_rail_contact;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../usual_headers.h"
 #include "parameter_helpers.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../usual_headers.h"
 #include "parameter_helpers.h"
 
 using namespace wheel_rail_contact;

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 import dataclasses
 import sys
-import tempfile
-import unittest
 from pathlib import Path
 from unittest import mock
 
@@ -12,7 +10,7 @@ from wheel_rail_contact.paper.command_line import main
 from wheel_rail_contact.paper.scan import Scan
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "replay"))
-from commands import error_without_space, running  # noqa: E402  (in the folder of other tests)
+from commands import FolderCase, error_without_space, running  # noqa: E402  (in the folder of other tests)
 
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 PICTURES = ("figure_3.png", "scan.png", "forces.png", "stress.png")
@@ -26,26 +24,24 @@ FEW = dataclasses.replace(COARSE, positions=COARSE.positions + NEAR_FLANGE.posit
 run = running(main)
 
 
-class Command(unittest.TestCase):
+class Command(FolderCase):
     def test_command_prints_the_values_of_both_calculations_and_draws_the_pictures(self):
         from matplotlib import image
-        with tempfile.TemporaryDirectory() as folder:
-            with mock.patch.object(study, "Scan", lambda: Scan(FEW)), \
-                    mock.patch.object(study, "SEARCH_POSITIONS", (5.5e-3, 6.5e-3)):
-                status, out, err = run("--out", str(Path(folder, "new")))
-            self.assertEqual(status, 0, err)
-            self.assertRegex(out, r"without bending +1175 / 185\.0 +11\d\d / 18\d\.\d")
-            self.assertRegex(out, r"the same, 13 mrad inward +1330 / 127\.0 +13\d\d / 1[23]\d\.\d")
-            self.assertRegex(out, r"pads 40/100 kN/mm +30 +1[23]\d\d / 1[67]\d\.\d +7\d\d +1\.\d\d ")
-            for name in TABLES:
-                self.assertGreater(len(Path(folder, "new", name).read_text(encoding="ascii").splitlines()), 1, name)
-            for name in PICTURES:
-                pixels = image.imread(str(Path(folder, "new", name)))[:, :, :3]
-                # The standard deviation of a blank picture is 0, of thin lines on white 0.1, of coloured areas more.
-                self.assertGreater(pixels.std(), 0.05, name)
-                self.assertGreater(len({tuple(row) for row in pixels.reshape(-1, 3)[::7]}), 50, name)
+        with mock.patch.object(study, "Scan", lambda: Scan(FEW)), \
+                mock.patch.object(study, "SEARCH_POSITIONS", (5.5e-3, 6.5e-3)):
+            status, out, err = run("--out", str(Path(self.folder, "new")))
+        self.assertEqual(status, 0, err)
+        self.assertRegex(out, r"without bending +1175 / 185\.0 +11\d\d / 18\d\.\d")
+        self.assertRegex(out, r"the same, 13 mrad inward +1330 / 127\.0 +13\d\d / 1[23]\d\.\d")
+        self.assertRegex(out, r"pads 40/100 kN/mm +30 +1[23]\d\d / 1[67]\d\.\d +7\d\d +1\.\d\d ")
+        for name in TABLES:
+            self.assertGreater(len(Path(self.folder, "new", name).read_text(encoding="ascii").splitlines()), 1, name)
+        for name in PICTURES:
+            pixels = image.imread(str(Path(self.folder, "new", name)))[:, :, :3]
+            # The standard deviation of a blank picture is 0, of thin lines on white 0.1, of coloured areas more.
+            self.assertGreater(pixels.std(), 0.05, name)
+            self.assertGreater(len({tuple(row) for row in pixels.reshape(-1, 3)[::7]}), 50, name)
 
     def test_full_disk_is_reported_with_the_name_of_the_file(self):
-        with tempfile.TemporaryDirectory() as folder:
-            self.assertIn("methods.csv: File too large",
-                          error_without_space(2**10, sys.executable, SCRIPTS / "paper_study", "--out", folder))
+        self.assertIn("methods.csv: File too large",
+                      error_without_space(2**10, sys.executable, SCRIPTS / "paper_study", "--out", self.folder))

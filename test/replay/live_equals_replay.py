@@ -9,13 +9,13 @@ import subprocess
 import sys
 import tempfile
 import time
-import unittest
 
 import rosbag
 import roslib.packages
 import rospkg
 import rospy
 import rostest
+from commands import FolderCase
 from geometry_msgs.msg import PointStamped, TwistStamped, WrenchStamped
 from wheel_rail_contact.msg import RailDisplacements, WheelsetContact
 
@@ -102,7 +102,7 @@ def write_all_inputs(path):
                 bag.write(f"/all_inputs/wheelset/{topic}", message, at)
 
 
-class LiveEqualsReplay(unittest.TestCase):
+class LiveEqualsReplay(FolderCase):
     def compare(self, bag, config, wheelset=""):
         """Plays a bag through the live node of a wheelset. @return results of contact_replay"""
         live = []
@@ -122,28 +122,25 @@ class LiveEqualsReplay(unittest.TestCase):
         self.compare(BAG, CONFIG)
 
     def test_same_with_loads_of_a_lower_rate_that_are_interpolated(self):
-        with tempfile.TemporaryDirectory() as folder:
-            bag = pathlib.Path(folder) / "slow_loads.bag"
-            write_slow_loads(bag)
-            results = self.compare(bag, SLOW_LOADS, "/slow_loads")
+        bag = self.folder / "slow_loads.bag"
+        write_slow_loads(bag)
+        results = self.compare(bag, SLOW_LOADS, "/slow_loads")
         self.assertGreater(len(results), 190)
         self.assertEqual({result.status for result in results}, {WheelsetContact.OK})
 
     def test_same_with_repeated_stamps_and_held_results(self):
-        with tempfile.TemporaryDirectory() as folder:
-            bag = pathlib.Path(folder) / "lockstep.bag"
-            write_lockstep(bag)
-            results = self.compare(bag, LOCKSTEP, "/lockstep")
+        bag = self.folder / "lockstep.bag"
+        write_lockstep(bag)
+        results = self.compare(bag, LOCKSTEP, "/lockstep")
         with rosbag.Bag(str(BAG)) as source:
             self.assertEqual(len(results), 2 * source.get_message_count("wheelset/pose"))
         self.assertGreater(sum(result.held for result in results), 20)
         self.assertGreater(sum(result.status > WheelsetContact.LIFT_OFF and not result.held for result in results), 5)
 
     def test_same_with_displacements_distances_and_forces_of_the_rails(self):
-        with tempfile.TemporaryDirectory() as folder:
-            bag = pathlib.Path(folder) / "all_inputs.bag"
-            write_all_inputs(bag)
-            results = self.compare(bag, ALL_INPUTS, "/all_inputs")
+        bag = self.folder / "all_inputs.bag"
+        write_all_inputs(bag)
+        results = self.compare(bag, ALL_INPUTS, "/all_inputs")
         self.assertGreater(len([result for result in results if result.status == WheelsetContact.OK]), 0.9 * len(results))
         self.assertGreater(max(result.right_rail.given_roll for result in results), 1e-3)
         for direction in 1, -1:

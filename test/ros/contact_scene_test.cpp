@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/markers/contact_scene.h"
-#include "../usual_headers.h"
 #include "core/balance/rail_support.h"
 #include "result_scene.h"
 #include "ros/evaluation/conversions.h"

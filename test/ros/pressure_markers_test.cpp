@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../usual_headers.h"
 #include "result_scene.h"
 #include "ros/markers/pressure_scale.h"
 #include "ros/markers/pressure_surface.h"

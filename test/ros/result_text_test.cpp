@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/evaluation/result_text.h"
 
-#include "../usual_headers.h"
 #include "result_scene.h"
 
 using namespace wheel_rail_contact;

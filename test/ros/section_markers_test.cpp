@@ -3,7 +3,6 @@
 #include <set>
 
 #include "../core/balance/crossing_scene.h"
-#include "../usual_headers.h"
 #include "core/balance/rail_support.h"
 #include "result_scene.h"
 #include "ros/markers/contact_scene.h"

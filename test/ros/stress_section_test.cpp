@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/markers/stress_section.h"
 
-#include "../usual_headers.h"
 #include "result_scene.h"
 #include "ros/markers/contact_scene.h"
 #include "ros/markers/scene_colors.h"

@@ -17,7 +17,6 @@
 #include <cctype>
 #include <chrono>
 
-#include "../standard_headers.h"
 #include "../thread_time.h"
 #include "continuity.h"
 #include "random_scene.h"

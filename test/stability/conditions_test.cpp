@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../core/balance/crossing_scene.h"
-#include "../core/balance/wheelset_scene.h"
-#include "../usual_headers.h"
 #include "result_check.h"
 #include "scene.h"
 #include "standard_wheelset.h"

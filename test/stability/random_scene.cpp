@@ -2,7 +2,6 @@
 #include "random_scene.h"
 
 #include "../core/normal/gap_scenes.h"
-#include "../standard_headers.h"
 #include "config/compliance_table_file.h"
 
 namespace wheel_rail_contact::core::stability

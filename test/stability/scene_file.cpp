@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scene_file.h"
 
-#include "../standard_headers.h"
 #include "config/node_config.h"
 #include "config/parameter_reader.h"
 

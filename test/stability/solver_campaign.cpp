@@ -19,7 +19,6 @@
 // Exit status: 1 if a state is refused, 2 for wrong arguments.
 #include "../core/normal/gap_scenes.h"
 #include "../manchester_scene.h"
-#include "../standard_headers.h"
 #include "config/compliance_table_file.h"
 #include "core/text/formatted.h"
 #include "measured_balance.h"

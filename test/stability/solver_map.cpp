@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../core/normal/problems.h"
-#include "../standard_headers.h"
 #include "core/balance/grid_levels.h"
 #include "core/normal/estimate/error_estimate.h"
-#include "core/normal/solvers/conjugate_gradients.h"
-#include "core/normal/solvers/seidel.h"
 #include "stability_map.h"
 
 namespace wheel_rail_contact::core::stability
@@ -295,14 +292,9 @@ MapTable fewCellsMap()
     double margin;
     double shift = 0;  ///< of the grid, in cells
   };
-  for (const auto& [along, across, margin, shift] : {Coarse{7, 7, 7.0},
-                                                     {7, 6, 5.0},
-                                                     {5, 7, 3.5},
-                                                     {6, 6, 3.5},
-                                                     {7, 7, 3.8},
-                                                     {7, 6, 2.8},
-                                                     {5, 5, 2.1, 0.25},
-                                                     {7, 6, 2.1}})
+  constexpr Coarse grids[] = {{7, 7, 7.0}, {7, 6, 5.0}, {5, 7, 3.5},       {6, 6, 3.5},
+                              {7, 7, 3.8}, {7, 6, 2.8}, {5, 5, 2.1, 0.25}, {7, 6, 2.1}};
+  for (const auto& [along, across, margin, shift] : grids)
   {
     const HertzCase hertz = hertzCase(2, along, across, false, margin, shift);
     const double exact = hertz.exact.max_pressure;

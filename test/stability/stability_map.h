@@ -4,7 +4,6 @@
 #include <istream>
 #include <ostream>
 
-#include "../standard_headers.h"
 #include "verdict.h"
 
 namespace wheel_rail_contact::core::stability

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../standard_headers.h"
 #include "scene.h"
 
 namespace wheel_rail_contact::core::stability

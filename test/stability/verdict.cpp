@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "verdict.h"
 
-#include "../standard_headers.h"
-
 namespace wheel_rail_contact::core::stability
 {
 namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../core/balance/conformal_reference.h"
 #include "../core/balance/wheelset_scene.h"
-#include "../standard_headers.h"
 #include "scene.h"
 #include "stability_map.h"
 #include "standard_wheelset.h"

@@ -9,7 +9,6 @@
 #include <type_traits>
 
 #include "../stability/random_scene.h"
-#include "../standard_headers.h"
 #include "config/result_fields.h"
 
 namespace
@@ -67,6 +66,7 @@ void visit(const PatchResult& patch, const Number& number)
     number("pose: x, y, z, angle", coordinate);
   }
   visitPatch(fieldsOf(patch, number));
+  visitCreep(fieldsOf(patch.creep, number));
   visit(patch.wheel_stress, number);
   visit(patch.rail_stress, number);
   visitGrid(fieldsOf(patch.grid, number));

@@ -4,8 +4,6 @@
 #include "../../refusal.h"
 #include "../balance/round_bodies.h"
 #include "core/track/placement.h"
-#include "wheel_rail_contact/core/profile_reader.h"
-#include "wheel_rail_contact/core/wheelset_contact.h"
 
 using namespace wheel_rail_contact::core;
 
