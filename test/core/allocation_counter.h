@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cerrno>
-#include <cstdlib>
+
+#include "../usual_headers.h"  // before the definitions: clang declares posix_memalign() there once more
 
 #ifdef __GLIBC__
-/// Counts the allocations of a test program, including those of Eigen and operator new. To be included in one source of
-/// a program: it replaces the functions of the standard library.
+/// Counts all allocations of a test program, also of Eigen, by functions of its own. For one source of the program.
 namespace
 {
 volatile long allocations = 0;        ///< by malloc() and calloc(), which the compiler may assume not to change it

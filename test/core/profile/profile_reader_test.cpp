@@ -12,7 +12,7 @@ namespace
 void expectRejected(const std::string& path, ProfileKind kind, std::size_t line, const std::string& reason)
 {
   SCOPED_TRACE(path + ", expected error: " + reason);
-  const FileError error = thrownBy<FileError>([&] { readProfile(path, kind); });
+  const auto error = thrownBy<FileError>([&] { readProfile(path, kind); });
   EXPECT_EQ(error.file(), path);
   EXPECT_EQ(error.line(), line) << error.what();
   EXPECT_TRUE(contains(error.reason(), reason));

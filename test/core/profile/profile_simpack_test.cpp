@@ -64,7 +64,7 @@ class SimpackProfile : public testing::Test
   {
     SCOPED_TRACE(reason);
     const std::string path = folder_.write(kind == ProfileKind::rail ? "bad.prr" : "bad.prw", text);
-    const FileError error = thrownBy<FileError>([&] { readProfile(path, kind); });
+    const auto error = thrownBy<FileError>([&] { readProfile(path, kind); });
     EXPECT_TRUE(contains(error.reason(), reason));
     EXPECT_EQ(error.line() > 0, in_a_line) << error.what();
   }
@@ -259,7 +259,7 @@ class SlicesTest : public testing::Test
   void expectRefused(const std::string& text, std::size_t line, const std::string& reason) const
   {
     SCOPED_TRACE(text);
-    const FileError error = thrownBy<FileError>([&] { read(text); });
+    const auto error = thrownBy<FileError>([&] { read(text); });
     EXPECT_EQ(error.line(), line) << error.what();
     EXPECT_TRUE(contains(error.reason(), reason));
   }
