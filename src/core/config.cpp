@@ -25,10 +25,7 @@ void validate(const ContactModelConfig& config)
   for (const Side side : sides)
   {
     const std::string name = nameOf(side);
-    if (config.wheel_profile[side] == nullptr)
-    {
-      throw std::invalid_argument("wheel/profile or wheel/" + name + "/profile is not set");
-    }
+    refuseIf(config.wheel_profile[side] == nullptr, "wheel/profile or wheel/" + name + "/profile is not set");
     for (const auto& profile : {config.wheel_profile[side], config.rail_profile[side]})
     {
       if (profile && profile->parts().size() != 1)
@@ -37,10 +34,8 @@ void validate(const ContactModelConfig& config)
                                     "' has several parts, which only rail_sections may have");
       }
     }
-    if (config.rail_profile[side] == nullptr && config.rail_sections[side] == nullptr)
-    {
-      throw std::invalid_argument("rail/profile or rail/" + name + "/profile is not set");
-    }
+    refuseIf(config.rail_profile[side] == nullptr && config.rail_sections[side] == nullptr,
+             "rail/profile or rail/" + name + "/profile is not set");
     validate(config.wheel_material[side], optionOf(config.wheel_material, side, "material/wheel", "wheel", "material"));
     validate(config.rail_material[side], optionOf(config.rail_material, side, "material/rail", "rail", "material"));
   }
@@ -50,10 +45,7 @@ void validate(const ContactModelConfig& config)
   validate(config.stress);
   validate(config.rail_bending);
   validate(config.creep);
-  if (config.creep.method != CreepMethod::none && (config.rail_sections.left || config.rail_sections.right))
-  {
-    throw std::invalid_argument("creep/method = " + std::string(toString(config.creep.method)) +
-                                ": friction is for rails without sections");
-  }
+  refuseIf(config.creep.method != CreepMethod::none && (config.rail_sections.left || config.rail_sections.right),
+           "creep/method = " + std::string(toString(config.creep.method)) + ": friction is for rails without sections");
 }
 }  // namespace wheel_rail_contact::core

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "wheel_rail_contact/core/sides.h"
 
 namespace wheel_rail_contact::core
 {
+/// @throw std::invalid_argument with this reason if there is a fault.
+void refuseIf(bool fault, std::string_view reason);
 /// @throw std::invalid_argument "option = value text" unless `rule` is true.
 void require(bool rule, const std::string& option, double value, const char* text);
 /// Same unless `value` is finite and above zero.

@@ -27,14 +27,10 @@ PlacedRail runningRail(const ContactModelConfig& config, Side side, double dista
 {
   const auto& sections = config.rail_sections[side];
   const std::string rail = std::string("rail/") + nameOf(side) + "/profile";
-  if (sections && sections->parts().size() != 1)
-  {
-    throw std::invalid_argument(rail + " has several parts; the contact geometry is that of one running rail per side");
-  }
-  if (sections && !sections->contains(distance))
-  {
-    throw std::invalid_argument(rail + " has no section at the place " + std::to_string(distance) + " m of the line");
-  }
+  refuseIf(sections && sections->parts().size() != 1,
+           rail + " has several parts; the contact geometry is that of one running rail per side");
+  refuseIf(sections && !sections->contains(distance),
+           rail + " has no section at the place " + std::to_string(distance) + " m of the line");
   return restingRail(config, side, distance);
 }
 

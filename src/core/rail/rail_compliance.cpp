@@ -16,10 +16,7 @@ namespace
 {
 void requireFinite(const char* name, double value)
 {
-  if (!std::isfinite(value))
-  {
-    throw std::invalid_argument(std::string("rail_bending/table: ") + name + " must be a finite number");
-  }
+  refuseIf(!std::isfinite(value), std::string("rail_bending/table: ") + name + " must be a finite number");
 }
 
 void requireNonNegative(const char* name, double value)
@@ -47,12 +44,10 @@ void ComplianceTable::validate() const
   requireFinite("lateral_roll", lateral_roll);
   requireNonNegative("roll_roll", roll_roll);
   requireNonNegative("vertical_vertical", vertical_vertical);
-  if (lateral_roll * lateral_roll > lateral_lateral * roll_roll)
-  {
-    throw std::invalid_argument(
-        "rail_bending/table: lateral_roll² is greater than lateral_lateral * roll_roll: the compliance matrix must be "
-        "positive semidefinite");
-  }
+  refuseIf(
+      lateral_roll * lateral_roll > lateral_lateral * roll_roll,
+      "rail_bending/table: lateral_roll² is greater than lateral_lateral * roll_roll: the compliance matrix must be "
+      "positive semidefinite");
 }
 
 RailDeflection deflection(const ComplianceTable& table, const RailForce& force)

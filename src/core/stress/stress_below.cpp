@@ -179,16 +179,11 @@ Stress cornerStress(double x, double y, double z, double poisson)
 
 void requireStressInput(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, double poisson)
 {
-  if (pressure.rows() != grid.nx || pressure.cols() != grid.ny)
-  {
-    throw std::invalid_argument("pressure has " + std::to_string(pressure.rows()) + " x " +
-                                std::to_string(pressure.cols()) + " values, the grid has " + std::to_string(grid.nx) +
-                                " x " + std::to_string(grid.ny) + " cells: both must be equal");
-  }
-  if (!pressure.allFinite())
-  {
-    throw std::invalid_argument("pressure has values that are not finite: all must be finite");
-  }
+  refuseIf(pressure.rows() != grid.nx || pressure.cols() != grid.ny,
+           "pressure has " + std::to_string(pressure.rows()) + " x " + std::to_string(pressure.cols()) +
+               " values, the grid has " + std::to_string(grid.nx) + " x " + std::to_string(grid.ny) +
+               " cells: both must be equal");
+  refuseIf(!pressure.allFinite(), "pressure has values that are not finite: all must be finite");
   requirePositive("dx", grid.dx);
   requirePositive("dy", grid.dy);
   require(poisson > -1 && poisson <= 0.5, "poisson", poisson, "must be above -1 and at most 0.5");

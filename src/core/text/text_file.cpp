@@ -199,9 +199,4 @@ double TextFile::numberIn(const std::string& word, const std::string& column) co
   }
   return *value;
 }
-
-void TextFile::refuse(std::size_t line, const std::string& reason) const
-{
-  throw FileError(path_, line, reason);
-}
 }  // namespace wheel_rail_contact::core

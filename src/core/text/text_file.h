@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 #include "wheel_rail_contact/core/profile_reader.h"
 
@@ -42,7 +43,16 @@ class TextFile
   /// Throws a FileError for the current line.
   [[noreturn]] void refuse(const std::string& reason) const { refuse(number_, reason); }
   /// Throws a FileError for the line with the given number, from 1; 0: for the file as a whole.
-  [[noreturn]] void refuse(std::size_t line, const std::string& reason) const;
+  [[noreturn]] void refuse(std::size_t line, const std::string& reason) const { throw FileError(path_, line, reason); }
+  /// The same if there is a fault.
+  void refuseIf(bool fault, std::string_view reason) const { refuseIf(fault, number_, reason); }
+  void refuseIf(bool fault, std::size_t line, std::string_view reason) const
+  {
+    if (fault)
+    {
+      refuse(line, std::string(reason));
+    }
+  }
 
  private:
   std::string path_;

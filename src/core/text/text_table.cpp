@@ -42,10 +42,7 @@ CellTable::CellTable(TextFile& file, bool of_numbers) : file_(file), of_numbers_
       lines.push_back(line);
     }
   }
-  if (lines.empty())
-  {
-    file_.refuse(0, "is empty");
-  }
+  file_.refuseIf(lines.empty(), 0, "is empty");
   findSeparator(lines);
   head_in_comments_ = head_.empty();
   for (const Line& comment : comments)
@@ -196,10 +193,8 @@ bool TextTable::takeUnits(const TableRow& row)
                                      { return isUnit(unit_of(title)) && (title.name.empty() || title.unit.empty()); });
   for (std::size_t i = 0; are_units && i < units.size(); ++i)
   {
-    if (!titles_[i].unit.empty() && titles_[i].unit != unit_of(units[i]))
-    {
-      file_.refuse(row.line, "unit '" + unit_of(units[i]) + "' contradicts '" + titles_[i].unit + "' in the title");
-    }
+    file_.refuseIf(!titles_[i].unit.empty() && titles_[i].unit != unit_of(units[i]), row.line,
+                   "unit '" + unit_of(units[i]) + "' contradicts '" + titles_[i].unit + "' in the title");
     titles_[i].unit = unit_of(units[i]);
   }
   return are_units;
@@ -207,10 +202,7 @@ bool TextTable::takeUnits(const TableRow& row)
 
 bool TextTable::next(std::vector<std::string>& fields)
 {
-  if (unknown_line_ > 0)
-  {
-    file_.refuse(unknown_line_, "is neither a row of numbers nor, below the titles, of units");
-  }
+  file_.refuseIf(unknown_line_ > 0, unknown_line_, "is neither a row of numbers nor, below the titles, of units");
   TableRow row;
   const bool is_row = cells_.next(row);
   fields = std::move(row.cells);

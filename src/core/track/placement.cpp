@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
-#include <string>
 
 #include "core/constants.h"
+#include "core/option_check.h"
 #include "core/simd/wide.h"
 #include "core/track/root_bracket.h"
 
@@ -65,12 +64,9 @@ PlacedRail::PlacedRail(std::shared_ptr<const Profile> profile, const TrackConfig
   {
     y_gauge = std::min(y_gauge, at(below * step).y);
   }
-  if (below < 0)
-  {
-    throw std::invalid_argument("track/gauge_depth = " + std::to_string(track.gauge_depth) +
-                                " m: on the gauge side, the rail profile " + profile_->name() +
-                                " does not reach that far below its highest point");
-  }
+  refuseIf(below < 0, "track/gauge_depth = " + std::to_string(track.gauge_depth) +
+                          " m: on the gauge side, the rail profile " + profile_->name() +
+                          " does not reach that far below its highest point");
   const auto above = [&](double u) { return height(u) + track.gauge_depth; };
   const double low = below * step;
   const double u_gauge = bracketedRoot(above, low, above(low), low + step, above(low + step), root_tolerance);

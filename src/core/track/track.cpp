@@ -93,10 +93,8 @@ class LineFile
  public:
   LineFile(const std::string& path, LineAxes axes) : file_(path, largest_file), table_(file_, areTitles), axes_(axes)
   {
-    if (table_.titles().empty())
-    {
-      file_.refuse(0, "has no titles of columns with their units, for example 'x [m], gauge [mm]'");
-    }
+    file_.refuseIf(table_.titles().empty(), 0,
+                   "has no titles of columns with their units, for example 'x [m], gauge [mm]'");
     for (const TableTitle& title : table_.titles())
     {
       addColumn(title);
@@ -127,32 +125,24 @@ class LineFile
                        [](const TableTitle& title) { return title.name == rules[x].name; });
   }
 
-  [[noreturn]] void refuseTitles(const std::string& reason) const { file_.refuse(table_.titleLine(), reason); }
+  void refuseTitlesIf(bool fault, const std::string& reason) const
+  {
+    file_.refuseIf(fault, table_.titleLine(), reason);
+  }
 
   void addColumn(const TableTitle& title)
   {
     const auto rule =
         std::find_if(rules.begin(), rules.end(), [&](const ColumnRule& r) { return title.name == r.name; });
-    if (rule == rules.end())
-    {
-      refuseTitles("column '" + title.name + "': unknown quantity; valid names are " + validNames());
-    }
+    refuseTitlesIf(rule == rules.end(),
+                   "column '" + title.name + "': unknown quantity; valid names are " + validNames());
     const auto column = static_cast<std::size_t>(rule - rules.begin());
-    if (has(column))
-    {
-      refuseTitles("column '" + title.name + "' is given twice");
-    }
-    if (title.unit.empty())
-    {
-      refuseTitles("column '" + title.name + "': must have a unit, for example '" + title.name +
-                   (rule->is_angle ? " [mrad]'" : " [mm]'"));
-    }
+    refuseTitlesIf(has(column), "column '" + title.name + "' is given twice");
+    refuseTitlesIf(title.unit.empty(), "column '" + title.name + "': must have a unit, for example '" + title.name +
+                                           (rule->is_angle ? " [mrad]'" : " [mm]'"));
     const std::optional<double> unit = unitNamed(rule->is_angle ? angleUnits() : lengthUnits(), title.unit);
-    if (!unit)
-    {
-      refuseTitles("column '" + title.name + "': unknown unit '" + title.unit + "'; valid units are " +
-                   (rule->is_angle ? "rad, mrad, deg" : "m, cm, mm, um, in"));
-    }
+    refuseTitlesIf(!unit, "column '" + title.name + "': unknown unit '" + title.unit + "'; valid units are " +
+                              (rule->is_angle ? "rad, mrad, deg" : "m, cm, mm, um, in"));
     column_.push_back(column);
     factor_.push_back(*unit * (axes_ == LineAxes::railway ? rule->railway_sign : 1));
   }
@@ -161,16 +151,11 @@ class LineFile
 
   void checkColumns() const
   {
-    if (!has(x))
-    {
-      refuseTitles("column 'x' is missing");
-    }
+    refuseTitlesIf(!has(x), "column 'x' is missing");
     const auto both = [this](std::size_t one, std::size_t other)
     {
-      if (has(one) && has(other))
-      {
-        refuseTitles(std::string("give either '") + rules[one].name + "' or '" + rules[other].name + "'");
-      }
+      refuseTitlesIf(has(one) && has(other),
+                     std::string("give either '") + rules[one].name + "' or '" + rules[other].name + "'");
     };
     both(alignment, alignment_left);
     both(alignment, alignment_right);
@@ -298,10 +283,7 @@ TrackLine::TrackLine(std::string name, const std::vector<LineStation>& stations)
       throw std::invalid_argument(name_ + ": station " + std::to_string(station + 1) + ": " + std::string(reason));
     }
   };
-  if (stations.size() < 2)
-  {
-    throw std::invalid_argument(name_ + ": a line needs at least two stations");
-  }
+  refuseIf(stations.size() < 2, name_ + ": a line needs at least two stations");
   for (std::size_t i = 0; i < stations.size(); ++i)
   {
     x_.push_back(stations[i].x);

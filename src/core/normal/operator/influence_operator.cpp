@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -12,6 +11,7 @@
 #include "core/normal/operator/half_transform.h"
 #include "core/normal/operator/influence.h"
 #include "core/normal/operator/lanes.h"
+#include "core/option_check.h"
 
 namespace wheel_rail_contact::core
 {
@@ -22,19 +22,12 @@ constexpr int part_size = 2048;
 
 void check(const OperatorShape& shape)
 {
-  if (shape.nx < 2 || shape.ny < 2)
-  {
-    throw std::invalid_argument("grid = " + std::to_string(shape.nx) + " x " + std::to_string(shape.ny) +
-                                ": must have at least 2 cells in each direction");
-  }
-  if (shape.symmetric && shape.nx % 2 != 0)
-  {
-    throw std::invalid_argument("nx = " + std::to_string(shape.nx) + ": must be even on a symmetric grid");
-  }
-  if (!(shape.aspect > 0) || !std::isfinite(shape.aspect))
-  {
-    throw std::invalid_argument("aspect = " + std::to_string(shape.aspect) + ": must be positive and finite");
-  }
+  refuseIf(shape.nx < 2 || shape.ny < 2, "grid = " + std::to_string(shape.nx) + " x " + std::to_string(shape.ny) +
+                                             ": must have at least 2 cells in each direction");
+  refuseIf(shape.symmetric && shape.nx % 2 != 0,
+           "nx = " + std::to_string(shape.nx) + ": must be even on a symmetric grid");
+  refuseIf(!(shape.aspect > 0) || !std::isfinite(shape.aspect),
+           "aspect = " + std::to_string(shape.aspect) + ": must be positive and finite");
 }
 
 /// Cosine transform, in both directions, of a kernel that is given at 0 … length and has the period 2 length:

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/normal/solvers/conjugate_gradients.h"
 
-#include <stdexcept>
-#include <string>
-
 #include "core/normal/measures/pressure_measures.h"
 #include "core/normal/solvers/contact_iteration.h"
+#include "core/option_check.h"
 
 namespace wheel_rail_contact::core
 {
@@ -13,14 +11,9 @@ namespace
 {
 void check(const ConjugateGradientsOptions& options)
 {
-  if (!(options.residual > 0 && options.residual < 1))
-  {
-    throw std::invalid_argument("residual = " + std::to_string(options.residual) + ": must be in (0, 1)");
-  }
-  if (options.max_products <= 0)
-  {
-    throw std::invalid_argument("max_products = " + std::to_string(options.max_products) + ": must be positive");
-  }
+  refuseIf(!(options.residual > 0 && options.residual < 1),
+           "residual = " + std::to_string(options.residual) + ": must be in (0, 1)");
+  refuseIf(options.max_products <= 0, "max_products = " + std::to_string(options.max_products) + ": must be positive");
 }
 }  // namespace
 

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/normal/solvers/seidel.h"
 
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-#include <string>
-
 #include "core/normal/measures/pressure_measures.h"
 #include "core/normal/operator/influence.h"
 #include "core/normal/solvers/patch_fields.h"
 #include "core/normal/solvers/starting_pressure.h"
+#include "core/option_check.h"
 
 namespace wheel_rail_contact::core
 {
@@ -21,18 +17,12 @@ constexpr int most_secant_steps = 30;
 
 void checkShare(const char* name, double value)
 {
-  if (!(value > 0 && value < 1))
-  {
-    throw std::invalid_argument(std::string(name) + " = " + std::to_string(value) + ": must be in (0, 1)");
-  }
+  refuseIf(!(value > 0 && value < 1), std::string(name) + " = " + std::to_string(value) + ": must be in (0, 1)");
 }
 
 void checkCount(const char* name, int value)
 {
-  if (value <= 0)
-  {
-    throw std::invalid_argument(std::string(name) + " = " + std::to_string(value) + ": must be positive");
-  }
+  refuseIf(value <= 0, std::string(name) + " = " + std::to_string(value) + ": must be positive");
 }
 }  // namespace
 

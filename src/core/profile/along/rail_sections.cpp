@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "core/option_check.h"
 #include "core/profile/along/section_blend.h"
 
 namespace wheel_rail_contact::core
@@ -20,10 +21,7 @@ constexpr double crown_spacing = 1e-4;  ///< of the places at which the crown is
 /// @throw std::invalid_argument "PART, section N REASON", unless `rule` is true. Index of the section: from 0.
 void requireSection(bool rule, const std::string& part, std::size_t section, const std::string& reason)
 {
-  if (!rule)
-  {
-    throw std::invalid_argument(part + ", section " + std::to_string(section + 1) + " " + reason);
-  }
+  refuseIf(!rule, part + ", section " + std::to_string(section + 1) + " " + reason);
 }
 
 /// True if the places that a section has increase along its profile.
@@ -43,10 +41,7 @@ bool areOnProfile(const RailSection& section)
 
 void check(const RailSeries& series, const std::string& part)
 {
-  if (series.empty())
-  {
-    throw std::invalid_argument(part + " has no sections");
-  }
+  refuseIf(series.empty(), part + " has no sections");
   for (std::size_t i = 0; i < series.size(); ++i)
   {
     const RailSection& section = series[i];
@@ -113,10 +108,7 @@ std::shared_ptr<const SectionBlend> blendOf(const RailSeries& series, std::size_
 RailSections::RailSections(std::vector<RailSeries> parts, Placement placement)
     : parts_(std::move(parts)), placement_(placement)
 {
-  if (parts_.empty())
-  {
-    throw std::invalid_argument("a rail needs at least one part");
-  }
+  refuseIf(parts_.empty(), "a rail needs at least one part");
   for (std::size_t k = 0; k < parts_.size(); ++k)
   {
     const RailSeries& series = parts_[k];
@@ -136,11 +128,9 @@ void RailSections::checkPlacement() const
 {
   const RailSeries& running = parts_.front();
   const bool by_gauge = placement_ == Placement::gauge;
-  if (by_gauge && running.size() > 1 && parts_.size() > 1)
-  {
-    throw std::invalid_argument(
-        "further parts of a rail whose sections change must be placed by coordinates: the gauge places each section");
-  }
+  refuseIf(
+      by_gauge && running.size() > 1 && parts_.size() > 1,
+      "further parts of a rail whose sections change must be placed by coordinates: the gauge places each section");
   for (std::size_t i = 0; i < (by_gauge ? running.size() : 1); ++i)
   {
     requireSection(hasOriginOnCrown(*running[i].profile), "the running rail", i,

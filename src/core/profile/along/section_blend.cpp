@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
+#include "core/option_check.h"
 #include "core/profile/curve/monotone_cubic.h"
 
 namespace wheel_rail_contact::core
@@ -23,10 +23,7 @@ class ParameterMap
     for (std::size_t i = 1; i < places.size(); ++i)
     {
       const double a = places[i].a - places[i - 1].a, b = places[i].b - places[i - 1].b;
-      if (!(a > 0 && b > 0))
-      {
-        throw std::invalid_argument("have corresponding places that are not in the same order");
-      }
+      refuseIf(!(a > 0 && b > 0), "have corresponding places that are not in the same order");
       common_.push_back(common_.back() + 0.5 * (a + b));
     }
   }
@@ -104,18 +101,12 @@ CubicSection between(const Knot& begin, const Knot& end, double length)
 
 SectionBlend::SectionBlend(const Profile& a, const Profile& b, const std::vector<CorrespondingPlaces>& places)
 {
-  if (places.empty())
-  {
-    throw std::invalid_argument("have no corresponding places");
-  }
+  refuseIf(places.empty(), "have no corresponding places");
   const ParameterMap map(places);
   const CorrespondingPlaces &first = places.front(), &last = places.back();
   const double end = map.common().back() + std::min(a.length() - last.a, b.length() - last.b);
   const double begin = -std::min(first.a, first.b);
-  if (!(end - begin >= least_length))
-  {
-    throw std::invalid_argument("have less than 10 mm in common");
-  }
+  refuseIf(!(end - begin >= least_length), "have less than 10 mm in common");
   const auto count = std::max(2L, std::lround(std::ceil((end - begin) / longest_section)));
   length_ = (end - begin) / static_cast<double>(count);
   std::vector<Knot> on_a, on_b;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/constants.h"
+#include "core/option_check.h"
 
 namespace wheel_rail_contact::core
 {
@@ -94,10 +95,7 @@ double CurvePoint::curvature() const
 
 Profile::Profile(std::string name, const std::vector<ProfileSection>& sections) : Profile(std::move(name))
 {
-  if (sections.empty())
-  {
-    throw std::invalid_argument("profile: '" + name_ + "' has no sections");
-  }
+  refuseIf(sections.empty(), "profile: '" + name_ + "' has no sections");
   beginPart();
   for (const ProfileSection& section : sections)
   {

@@ -3,10 +3,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 
 #include "core/constants.h"
+#include "core/option_check.h"
 #include "core/profile/curve/spline.h"
 
 namespace wheel_rail_contact::core
@@ -304,21 +304,16 @@ std::vector<SampledPoint> groupedPoints(const std::vector<SampledPoint>& points)
 
 std::vector<ProfileSection> smoothingSpline(const std::vector<SampledPoint>& points, double noise)
 {
-  if (!(noise > 0.0 && noise <= max_spline_noise))
-  {
-    throw std::invalid_argument("profile spline: noise is " + std::to_string(noise * 1e6) +
-                                " um, must be above 0 and at most " + std::to_string(max_spline_noise * 1e6) + " um");
-  }
+  refuseIf(!(noise > 0.0 && noise <= max_spline_noise), "profile spline: noise is " + std::to_string(noise * 1e6) +
+                                                            " um, must be above 0 and at most " +
+                                                            std::to_string(max_spline_noise * 1e6) + " um");
   PenalisedFit fit(points);
   fit.fitTo(noise * noise);
   fit.relaxAtCorners();
   fit.fitTo(noise * noise);
   std::vector<ProfileSection> sections = fit.sections(noise);
-  if (!(excess(sections, points, noise) <= 1))
-  {
-    throw std::invalid_argument("profile spline: the curve leaves the points: their noise is not " +
-                                std::to_string(noise * 1e6) + " um, or points are missing");
-  }
+  refuseIf(!(excess(sections, points, noise) <= 1), "profile spline: the curve leaves the points: their noise is not " +
+                                                        std::to_string(noise * 1e6) + " um, or points are missing");
   return sections;
 }
 }  // namespace wheel_rail_contact::core

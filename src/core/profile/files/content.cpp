@@ -64,10 +64,8 @@ Format formatByName(const TextFile& file, ProfileKind kind)
   {
     return Format::table;
   }
-  if (of_wheel != (kind == ProfileKind::wheel))
-  {
-    file.refuse(0, "extension " + extension + " does not belong to a " + (of_wheel ? "rail" : "wheel") + " profile");
-  }
+  file.refuseIf(of_wheel != (kind == ProfileKind::wheel), 0,
+                "extension " + extension + " does not belong to a " + (of_wheel ? "rail" : "wheel") + " profile");
   return Format::miniprof;
 }
 }  // namespace

@@ -37,18 +37,13 @@ double smoothingOf(const TextFile& file, const FileProfile& content, const Profi
   }
   if (content.smoothing)
   {
-    if (*content.smoothing > max_spline_noise)
-    {
-      file.refuse(0, "approx.smooth is above " + millimetres(max_spline_noise) + "; the option smoothing overrides it");
-    }
+    file.refuseIf(*content.smoothing > max_spline_noise, 0,
+                  "approx.smooth is above " + millimetres(max_spline_noise) + "; the option smoothing overrides it");
     return *content.smoothing;
   }
-  if (noise > max_spline_noise)
-  {
-    file.refuse(0, "noise or rounding of the points is " + millimetres(noise) + ", must be at most " +
-                       millimetres(max_spline_noise) +
-                       "; the option smoothing overrides it: 0 if the points are exact");
-  }
+  file.refuseIf(noise > max_spline_noise, 0,
+                "noise or rounding of the points is " + millimetres(noise) + ", must be at most " +
+                    millimetres(max_spline_noise) + "; the option smoothing overrides it: 0 if the points are exact");
   return noise < least_noise ? 0 : noise;
 }
 
@@ -91,10 +86,7 @@ Curve curveOf(const TextFile& file, const std::vector<SampledPoint>& points, dou
   }
   catch (const std::invalid_argument& error)
   {
-    if (stated)
-    {
-      file.refuse(0, std::string(error.what()) + "; give another smoothing, 0 for none");
-    }
+    file.refuseIf(stated, 0, std::string(error.what()) + "; give another smoothing, 0 for none");
     report.smoothing = 0;
     addRemark(report.remark, "a smoothed curve would leave the points");
     return interpolated(points, noise);
@@ -114,10 +106,7 @@ std::string withoutOutliers(const TextFile& file, double noise, std::vector<Samp
   }
   const std::string text = std::to_string(outliers.count) + " off the curve of the neighbours, by up to " +
                            millimetres(outliers.largest) + " (line " + std::to_string(outliers.line) + ")";
-  if (outliers.count > most)
-  {
-    file.refuse(outliers.line, "points: at least " + text + ": not a smooth curve");
-  }
+  file.refuseIf(outliers.count > most, outliers.line, "points: at least " + text + ": not a smooth curve");
   return "omitted points: " + text;
 }
 }  // namespace

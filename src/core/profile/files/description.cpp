@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/option_check.h"
 #include "core/profile/files/steps.h"
 #include "core/text/formatted.h"
 #include "core/text/table_title.h"
@@ -93,13 +94,7 @@ std::string reportText(const Profile& profile, const ProfileReport& report)
 void checkReading(const ProfileReading& reading)
 {
   constexpr double farthest = 1.0;  // [m]
-  const auto require = [](bool rule, const char* text)
-  {
-    if (!rule)
-    {
-      throw std::invalid_argument(std::string("profile: ") + text);
-    }
-  };
+  const auto require = [](bool rule, const char* text) { refuseIf(!rule, std::string("profile: ") + text); };
   require(!reading.smoothing || (*reading.smoothing >= 0 && *reading.smoothing <= max_spline_noise),
           "smoothing must be 0 to 1e-4 m");
   require(!reading.unit || (*reading.unit > 0 && std::isfinite(*reading.unit)), "unit must be a positive length");

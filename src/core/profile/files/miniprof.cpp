@@ -80,11 +80,9 @@ class MiniProfReader
       free_header_ = free_header_ || (file_.number() == 1 && beginsOldMiniProf(file_.line()));
       readHeader(file_.line());
     }
-    if (static_cast<double>(content_.points.size()) < stated_points_)
-    {
-      file_.refuse("file ends after " + std::to_string(content_.points.size()) + " of " +
-                   std::to_string(static_cast<long>(stated_points_)) + " points (XYPoints): truncated");
-    }
+    file_.refuseIf(static_cast<double>(content_.points.size()) < stated_points_,
+                   "file ends after " + std::to_string(content_.points.size()) + " of " +
+                       std::to_string(static_cast<long>(stated_points_)) + " points (XYPoints): truncated");
     const bool is_wheel = kind_ == ProfileKind::wheel;
     content_.format = "MiniProf";
     content_.unit = mm;
@@ -104,10 +102,7 @@ class MiniProfReader
     {
       return;
     }
-    if (equals == std::string::npos)
-    {
-      file_.refuse("line is neither key=value nor a point: not a MiniProf profile");
-    }
+    file_.refuseIf(equals == std::string::npos, "line is neither key=value nor a point: not a MiniProf profile");
     const std::string key = lowerCase(trim(line.substr(0, equals)));
     const std::string value = trim(line.substr(equals + 1));
     if (key == "columndef")
@@ -132,10 +127,7 @@ class MiniProfReader
   double number(const std::string& key, const std::string& value) const
   {
     const std::optional<double> parsed = value.empty() ? 0.0 : parseNumber(value);
-    if (!parsed || std::abs(*parsed) > 1e6)
-    {
-      file_.refuse("value of '" + key + "' is not a plausible number");
-    }
+    file_.refuseIf(!parsed || std::abs(*parsed) > 1e6, "value of '" + key + "' is not a plausible number");
     return *parsed;
   }
 
@@ -145,10 +137,7 @@ class MiniProfReader
     const auto column_of = [&](const char* name)
     {
       const auto found = std::find(names.begin(), names.end(), name);
-      if (found == names.end())
-      {
-        file_.refuse(std::string("ColumnDef has no ") + (name[0] == 'x' ? "X" : "Y"));
-      }
+      file_.refuseIf(found == names.end(), std::string("ColumnDef has no ") + (name[0] == 'x' ? "X" : "Y"));
       return static_cast<std::size_t>(found - names.begin());
     };
     columns_ = names.size();

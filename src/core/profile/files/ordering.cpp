@@ -70,11 +70,10 @@ Points alongTheCurve(const TextFile& file, const Points& points)
       kept.push_back(p);
     }
   }
-  if (static_cast<double>(points.size() - kept.size()) > most_left_out * static_cast<double>(points.size()))
-  {
-    file.refuse(0, std::to_string(points.size() - kept.size()) + " of " + std::to_string(points.size()) +
-                       " points run back: not in order along the profile");
-  }
+  file.refuseIf(static_cast<double>(points.size() - kept.size()) > most_left_out * static_cast<double>(points.size()),
+                0,
+                std::to_string(points.size() - kept.size()) + " of " + std::to_string(points.size()) +
+                    " points run back: not in order along the profile");
   return kept;
 }
 }  // namespace

@@ -155,15 +155,11 @@ void placeWheel(const TextFile& file, const FileProfile& content, std::optional<
 void checkOrigin(const TextFile& file, ProfileKind kind, Origin origin)
 {
   const bool of_wheel = origin == Origin::running_circle || origin == Origin::flange_back;
-  if (kind == ProfileKind::rail_section)
-  {
-    file.refuse(0, "origin must not be stated for a section of a rail: it keeps its coordinates; shift moves it");
-  }
-  if (of_wheel != (kind == ProfileKind::wheel))
-  {
-    file.refuse(0, of_wheel ? "origin running_circle or flange_back belongs to a wheel, not to a rail"
-                            : "origin crown, gauge_corner or foot belongs to a rail, not to a wheel");
-  }
+  file.refuseIf(kind == ProfileKind::rail_section, 0,
+                "origin must not be stated for a section of a rail: it keeps its coordinates; shift moves it");
+  file.refuseIf(of_wheel != (kind == ProfileKind::wheel), 0,
+                of_wheel ? "origin running_circle or flange_back belongs to a wheel, not to a rail"
+                         : "origin crown, gauge_corner or foot belongs to a rail, not to a wheel");
 }
 
 void placeRail(const TextFile& file, std::optional<Origin> origin, PlacedPoints& placed)
@@ -179,10 +175,8 @@ void placeRail(const TextFile& file, std::optional<Origin> origin, PlacedPoints&
     return;
   }
   const std::optional<double> middle = middleOf(placed.points);
-  if (origin && !middle)
-  {
-    file.refuse(0, "one side of the head is missing: its middle is not known; give shift instead of origin");
-  }
+  file.refuseIf(origin && !middle, 0,
+                "one side of the head is missing: its middle is not known; give shift instead of origin");
   if (middle && (origin || std::abs(*middle) > farthest_middle))
   {
     move(-*middle, 0, placed);
@@ -214,10 +208,7 @@ PlacedPoints placedPoints(const TextFile& file, const FileProfile& content, Prof
   {
     p.y *= y_factor;
     p.z *= z_factor;
-    if (!std::isfinite(p.y) || !std::isfinite(p.z))
-    {
-      file.refuse(p.line, "coordinate of the point is too large");
-    }
+    file.refuseIf(!std::isfinite(p.y) || !std::isfinite(p.z), p.line, "coordinate of the point is too large");
   }
   if (reading.origin)
   {

@@ -56,21 +56,17 @@ void checkExtent(const TextFile& file, const Points& points)
 {
   const double width = Box(points).width();
   const double between_ends = points.back().y - points.front().y;
-  if (between_ends < 0.7 * width)
-  {
-    file.refuse(0, "ends are " + millimetres(between_ends) + " apart, profile is " + millimetres(width) +
-                       " wide: a closed outline or not a profile");
-  }
+  file.refuseIf(between_ends < 0.7 * width, 0,
+                "ends are " + millimetres(between_ends) + " apart, profile is " + millimetres(width) +
+                    " wide: a closed outline or not a profile");
   double length = 0;
   for (std::size_t i = 1; i < points.size(); ++i)
   {
     length += distance(points[i - 1], points[i]);
   }
-  if (length > 3.0 * width)
-  {
-    file.refuse(0, "curve is " + millimetres(length) + " long, profile is " + millimetres(width) +
-                       " wide: points not in order along the profile or not a profile");
-  }
+  file.refuseIf(length > 3.0 * width, 0,
+                "curve is " + millimetres(length) + " long, profile is " + millimetres(width) +
+                    " wide: points not in order along the profile or not a profile");
 }
 
 /// Height of the tread at the running circle [m]; 0 if the curve does not reach it.
@@ -97,30 +93,20 @@ double frontOfFlange(const Points& points, double depth)
 void checkRunningCircle(const TextFile& file, const Points& points)
 {
   const double height = heightAtOrigin(points);
-  if (std::isinf(height))
-  {
-    file.refuse(0, "profile does not cross y = 0, where the running circle must be");
-  }
-  if (!(std::abs(height) <= running_circle_tolerance))
-  {
-    file.refuse(0, "profile is " + millimetres(height) +
-                       " above its origin at y = 0, which must be the running circle, within " +
-                       millimetres(running_circle_tolerance) + "; a shift of z moves it");
-  }
+  file.refuseIf(std::isinf(height), 0, "profile does not cross y = 0, where the running circle must be");
+  file.refuseIf(!(std::abs(height) <= running_circle_tolerance), 0,
+                "profile is " + millimetres(height) +
+                    " above its origin at y = 0, which must be the running circle, within " +
+                    millimetres(running_circle_tolerance) + "; a shift of z moves it");
   const double front = frontOfFlange(points, least_flange_height);
-  if (!std::isinf(front) && !(front >= first_front && front <= last_front))
-  {
-    file.refuse(0, "front of the flange, " + millimetres(least_flange_height) +
-                       " below the running circle, is at y = " + millimetres(front) + ", must be from " +
-                       millimetres(first_front) + " to " + millimetres(last_front) +
-                       ": the origin is not the running circle; a shift of y moves it");
-  }
+  file.refuseIf(!std::isinf(front) && !(front >= first_front && front <= last_front), 0,
+                "front of the flange, " + millimetres(least_flange_height) + " below the running circle, is at y = " +
+                    millimetres(front) + ", must be from " + millimetres(first_front) + " to " +
+                    millimetres(last_front) + ": the origin is not the running circle; a shift of y moves it");
   // A wheel that is rotated by 180 degrees has its tread as before, but its flange points up, on the field side.
-  if (Box(points).lowest.z > -least_flange_height)
-  {
-    file.refuse(0, "no flange reaches " + millimetres(least_flange_height) +
-                       " below the running circle: not a wheel, or both axes are reversed");
-  }
+  file.refuseIf(Box(points).lowest.z > -least_flange_height, 0,
+                "no flange reaches " + millimetres(least_flange_height) +
+                    " below the running circle: not a wheel, or both axes are reversed");
 }
 
 /// Length of the parts of a curve that are flat and deep below its top [m].
@@ -140,22 +126,14 @@ void checkRail(const TextFile& file, const Points& points)
 {
   const Box box(points);
   const double top = box.share(box.highest.y);
-  if (!(top > 0.05 && top < 0.95))
-  {
-    file.refuse(0,
+  file.refuseIf(!(top > 0.05 && top < 0.95), 0,
                 "highest point is at an end: not a rail, or z does not point up. A check rail or a section of a "
                 "crossing is a part of a rail (rail/profile/parts)");
-  }
   const double bottom = box.share(box.lowest.y);
-  if (bottom > 0.08 && bottom < 0.92)
-  {
-    file.refuse(0, "lowest point is not at an end: not a rail");
-  }
-  if (deepFlatLength(points, box.highest.z) > longest_flat)
-  {
-    file.refuse(0, "a flat part lies more than " + millimetres(flat_depth) +
-                       " below the top: not a rail, but perhaps a wheel with z reversed");
-  }
+  file.refuseIf(bottom > 0.08 && bottom < 0.92, 0, "lowest point is not at an end: not a rail");
+  file.refuseIf(deepFlatLength(points, box.highest.z) > longest_flat, 0,
+                "a flat part lies more than " + millimetres(flat_depth) +
+                    " below the top: not a rail, but perhaps a wheel with z reversed");
 }
 
 /// A section of a rail turned upside down is a bowl.
@@ -164,10 +142,8 @@ void checkSection(const TextFile& file, const Points& points)
   const Box box(points);
   const auto is_end = [&](const SampledPoint& point)
   { return point.z == points.front().z || point.z == points.back().z; };
-  if (is_end(box.highest) && !is_end(box.lowest))
-  {
-    file.refuse(0, "highest point is at an end, lowest point is not: z does not point as the format requires");
-  }
+  file.refuseIf(is_end(box.highest) && !is_end(box.lowest), 0,
+                "highest point is at an end, lowest point is not: z does not point as the format requires");
 }
 
 /// True if the field side has a tip that is lower than a flange must be, with a back behind it. A rim has no back.
@@ -194,51 +170,32 @@ void checkFlange(const TextFile& file, const Points& points)
 {
   const Box box(points);
   const double place = box.share(box.lowest.y);
-  if (place > 0.6)
-  {
-    file.refuse(0,
+  file.refuseIf(place > 0.6, 0,
                 "lowest point is on the field side: not a wheel with its flange on the gauge side, or an axis is "
                 "reversed");
-  }
-  if (place <= 0.4 && box.lowest.y > farthest_tip)
-  {
-    file.refuse(0, "flange tip is at y = " + millimetres(box.lowest.y) +
-                       ": the origin is not the running circle; if it is the flange back, give origin: flange_back");
-  }
-  if (flangeOnFieldSide(points))
-  {
-    file.refuse(0, "flange is on the field side: y is reversed");
-  }
-  if (flangePointsUp(points))
-  {
-    file.refuse(0, "a flange points up on the field side: both axes are reversed");
-  }
-  if (points.back().z - box.lowest.z < least_flange_height || place > 0.4)
-  {
-    file.refuse(0, "no flange of at least " + millimetres(least_flange_height) + " on the gauge side: not a wheel");
-  }
+  file.refuseIf(place <= 0.4 && box.lowest.y > farthest_tip, 0,
+                "flange tip is at y = " + millimetres(box.lowest.y) +
+                    ": the origin is not the running circle; if it is the flange back, give origin: flange_back");
+  file.refuseIf(flangeOnFieldSide(points), 0, "flange is on the field side: y is reversed");
+  file.refuseIf(flangePointsUp(points), 0, "a flange points up on the field side: both axes are reversed");
+  file.refuseIf(points.back().z - box.lowest.z < least_flange_height || place > 0.4, 0,
+                "no flange of at least " + millimetres(least_flange_height) + " on the gauge side: not a wheel");
 }
 }  // namespace
 
 void checkSize(const TextFile& file, const Points& points)
 {
-  if (points.size() < fewest_points)
-  {
-    file.refuse(0, "number of points is " + std::to_string(points.size()) + ", must be at least " +
-                       std::to_string(fewest_points));
-  }
+  file.refuseIf(
+      points.size() < fewest_points, 0,
+      "number of points is " + std::to_string(points.size()) + ", must be at least " + std::to_string(fewest_points));
   const Box box(points);
   const double height = box.highest.z - box.lowest.z;
-  if (!(box.width() >= least_width && box.width() <= most_width))
-  {
-    file.refuse(0, "profile is " + millimetres(box.width()) + " wide, must be " + millimetres(least_width) + " to " +
-                       millimetres(most_width) + ": wrong unit or not a profile");
-  }
-  if (!(height <= most_height))
-  {
-    file.refuse(0, "profile is " + millimetres(height) + " high, must be at most " + millimetres(most_height) +
-                       ": wrong unit or not a profile");
-  }
+  file.refuseIf(!(box.width() >= least_width && box.width() <= most_width), 0,
+                "profile is " + millimetres(box.width()) + " wide, must be " + millimetres(least_width) + " to " +
+                    millimetres(most_width) + ": wrong unit or not a profile");
+  file.refuseIf(!(height <= most_height), 0,
+                "profile is " + millimetres(height) + " high, must be at most " + millimetres(most_height) +
+                    ": wrong unit or not a profile");
 }
 
 void checkShape(const TextFile& file, const std::vector<SampledPoint>& points, ProfileKind kind)

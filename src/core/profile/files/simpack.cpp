@@ -143,14 +143,8 @@ class SimpackReader
       return false;
     }
     const auto [from, to] = change->second;
-    if (block_ != from)
-    {
-      file_.refuse("'" + line + "' is out of place: not a Simpack profile, or damaged");
-    }
-    if (to == Block::points && points_ended_)
-    {
-      file_.refuse("second block of points");
-    }
+    file_.refuseIf(block_ != from, "'" + line + "' is out of place: not a Simpack profile, or damaged");
+    file_.refuseIf(to == Block::points && points_ended_, "second block of points");
     block_ = to;
     points_ended_ = points_ended_ || from == Block::points;
     spline_ended_ = spline_ended_ || (from == Block::spline && to == Block::outside);
@@ -160,10 +154,8 @@ class SimpackReader
   void readSetting(const std::string& line)
   {
     const std::size_t equals = line.find('=');
-    if (equals == std::string::npos || block_ == Block::outside)
-    {
-      file_.refuse("line is neither a comment nor a block nor a keyword: not a Simpack profile");
-    }
+    file_.refuseIf(equals == std::string::npos || block_ == Block::outside,
+                   "line is neither a comment nor a block nor a keyword: not a Simpack profile");
     const std::string key = trim(line.substr(0, equals));
     // Keywords without influence on the profile.
     static const std::set<std::string> remarks{"file", "file.mtime", "comment", "type", "units.len", "units.ang"};
@@ -172,20 +164,15 @@ class SimpackReader
       return;
     }
     const std::optional<double> value = parseNumber(trim(line.substr(equals + 1)));
-    if (!value)
-    {
-      file_.refuse("value of '" + key + "' is not a number");
-    }
+    file_.refuseIf(!value, "value of '" + key + "' is not a number");
     if (block_ == Block::header)
     {
       readHeader(key, *value);
       return;
     }
     const auto known = settings_.find(key);
-    if (known == settings_.end())
-    {
-      file_.refuse("unknown keyword '" + key + "'; delete the line if it does not change the profile");
-    }
+    file_.refuseIf(known == settings_.end(),
+                   "unknown keyword '" + key + "'; delete the line if it does not change the profile");
     known->second = *value;
   }
 
@@ -193,44 +180,28 @@ class SimpackReader
   {
     if (key == "version")
     {
-      if (value != 1.0)
-      {
-        file_.refuse("format version is not 1");
-      }
+      file_.refuseIf(value != 1.0, "format version is not 1");
       return;
     }
-    if (key != "type")
-    {
-      file_.refuse("unknown keyword '" + key + "'");
-    }
-    if (value != 0.0 && value != 1.0)
-    {
-      file_.refuse("type is neither 0 (rail) nor 1 (wheel)");
-    }
-    if ((value == 1.0) != (kind_ == ProfileKind::wheel))
-    {
-      file_.refuse(value == 1.0 ? "wheel profile; a rail profile is required"
-                                : "rail profile; a wheel profile is required");
-    }
+    file_.refuseIf(key != "type", "unknown keyword '" + key + "'");
+    file_.refuseIf(value != 0.0 && value != 1.0, "type is neither 0 (rail) nor 1 (wheel)");
+    file_.refuseIf((value == 1.0) != (kind_ == ProfileKind::wheel), value == 1.0
+                                                                        ? "wheel profile; a rail profile is required"
+                                                                        : "rail profile; a wheel profile is required");
     type_known_ = true;
   }
 
   void readPoint(const std::string& line)
   {
     const std::vector<std::string> words = splitWords(line);
-    if (words.size() < 2 || words.size() > 3)
-    {
-      file_.refuse("not a point: two coordinates and an optional weight are required");
-    }
+    file_.refuseIf(words.size() < 2 || words.size() > 3,
+                   "not a point: two coordinates and an optional weight are required");
     double values[3] = {0.0, 0.0, 1.0};
     for (std::size_t i = 0; i < words.size(); ++i)
     {
       values[i] = file_.numberIn(words[i]);
     }
-    if (values[2] < 0.0)
-    {
-      file_.refuse("weight is negative");
-    }
+    file_.refuseIf(values[2] < 0.0, "weight is negative");
     if (values[2] > 0.0)
     {
       addPoint(file_, content_, {values[0], values[1], values[2]}, words[1]);
@@ -239,42 +210,24 @@ class SimpackReader
 
   void checkComplete() const
   {
-    if (!type_known_)
-    {
-      file_.refuse(0, "no header with a type: not a Simpack profile");
-    }
-    if (!points_ended_)
-    {
-      file_.refuse("file ends before point.end: truncated");
-    }
-    if (!spline_ended_)
-    {
-      file_.refuse("file ends before spline.end: truncated");
-    }
+    file_.refuseIf(!type_known_, 0, "no header with a type: not a Simpack profile");
+    file_.refuseIf(!points_ended_, "file ends before point.end: truncated");
+    file_.refuseIf(!spline_ended_, "file ends before spline.end: truncated");
   }
 
   void checkSettings() const
   {
     for (const char* key : {"mirror.y", "mirror.z", "inversion"})
     {
-      if (setting(key) != 0.0 && setting(key) != 1.0)
-      {
-        file_.refuse(0, std::string(key) + " is neither 0 nor 1");
-      }
+      file_.refuseIf(setting(key) != 0.0 && setting(key) != 1.0, 0, std::string(key) + " is neither 0 nor 1");
     }
     for (const char* key : {"approx.smooth", "point.dist.min"})
     {
-      if (setting(key) < 0.0)
-      {
-        file_.refuse(0, std::string(key) + " is negative");
-      }
+      file_.refuseIf(setting(key) < 0.0, 0, std::string(key) + " is negative");
     }
     for (const char* key : {"units.len.f", "units.ang.f"})
     {
-      if (!(setting(key) > 0.0))
-      {
-        file_.refuse(0, std::string(key) + " is not positive");
-      }
+      file_.refuseIf(!(setting(key) > 0.0), 0, std::string(key) + " is not positive");
     }
   }
 

@@ -34,10 +34,7 @@ class SlicesFile : public TextFile
       {
         continue;
       }
-      if (found.size() < least)
-      {
-        refuse("must contain " + content);
-      }
+      refuseIf(found.size() < least, "must contain " + content);
       return found;
     }
     refuse("ends before " + content);
@@ -46,10 +43,8 @@ class SlicesFile : public TextFile
   std::size_t count(const std::string& word) const
   {
     const double value = numberIn(word);
-    if (!(value >= 0 && value <= largest_count) || value != std::floor(value))
-    {
-      refuse("'" + word + "' is not a number of slices or features");
-    }
+    refuseIf(!(value >= 0 && value <= largest_count) || value != std::floor(value),
+             "'" + word + "' is not a number of slices or features");
     return static_cast<std::size_t>(value);
   }
 
@@ -74,10 +69,7 @@ FileSlice readSlice(const std::string& path, const ProfileReading& reading)
   TextFile file(path);
   FileProfile content = readContent(file, kind);
   const auto [left, right] = std::minmax_element(content.points.begin(), content.points.end(), isFartherInward);
-  if (content.points.empty())
-  {
-    file.refuse(0, "has no points");
-  }
+  file.refuseIf(content.points.empty(), 0, "has no points");
   if (!content.unit)
   {
     content.unit = right->y - left->y < 1 ? 1 : 1e-3;
@@ -103,10 +95,7 @@ Slice sliceOf(SlicesFile& file, double scale)
   const std::vector<std::string> words = file.words(2, "a place and a file name in quotes");
   const std::string line = file.text();
   const std::size_t open = line.find('\''), close = line.rfind('\'');
-  if (open == close)
-  {
-    file.refuse("the name of a file must be in quotes");
-  }
+  file.refuseIf(open == close, "the name of a file must be in quotes");
   return {scale * file.numberIn(words[0]), line.substr(open + 1, close - open - 1), false};
 }
 
@@ -116,10 +105,7 @@ std::vector<Slice> slicesOf(SlicesFile& file, std::size_t count, double scale)
   for (std::size_t i = 0; i < count; ++i)
   {
     slices.push_back(sliceOf(file, scale));
-    if (i > 0 && !(slices[i].x > slices[i - 1].x))
-    {
-      file.refuse("the places of the slices must increase");
-    }
+    file.refuseIf(i > 0 && !(slices[i].x > slices[i - 1].x), "the places of the slices must increase");
   }
   return slices;
 }
@@ -128,10 +114,8 @@ std::vector<Slice> slicesOf(SlicesFile& file, std::size_t count, double scale)
 std::vector<double> featuresOf(SlicesFile& file, std::size_t count, double scale, const Slice& slice, double length)
 {
   const std::vector<std::string> words = file.words(count + 1, "a place and the position of each feature");
-  if (std::abs(scale * file.numberIn(words[0]) - slice.x) > per_mm)
-  {
-    file.refuse("the places of the features must be those of the slices, in the same order");
-  }
+  file.refuseIf(std::abs(scale * file.numberIn(words[0]) - slice.x) > per_mm,
+                "the places of the features must be those of the slices, in the same order");
   std::vector<double> features;
   double before = -1;
   for (std::size_t k = 1; k <= count; ++k)
@@ -142,10 +126,8 @@ std::vector<double> featuresOf(SlicesFile& file, std::size_t count, double scale
       features.push_back(std::numeric_limits<double>::quiet_NaN());
       continue;
     }
-    if (!(position > before) || position > length + per_mm)
-    {
-      file.refuse("'" + words[k] + "': the positions of the features must increase, up to the length of the curve");
-    }
+    file.refuseIf(!(position > before) || position > length + per_mm,
+                  "'" + words[k] + "': the positions of the features must increase, up to the length of the curve");
     before = position;
     const double u = std::min(position, length);
     features.push_back(slice.reversed ? length - u : u);
@@ -205,20 +187,11 @@ RailSeries readRailSlices(const std::string& path, const ProfileReading& reading
 {
   SlicesFile file(path);
   const std::vector<std::string> scaling = file.words(2, "U_OFFSET and the scale of the places [mm]");
-  if (file.numberIn(scaling[0]) != 0)
-  {
-    file.refuse("U_OFFSET = " + scaling[0] + ": must be 0; add it to the places");
-  }
+  file.refuseIf(file.numberIn(scaling[0]) != 0, "U_OFFSET = " + scaling[0] + ": must be 0; add it to the places");
   const double scale = per_mm * file.numberIn(scaling[1]);
-  if (!(scale > 0))
-  {
-    file.refuse("scale of the places = " + scaling[1] + ": must be positive");
-  }
+  file.refuseIf(!(scale > 0), "scale of the places = " + scaling[1] + ": must be positive");
   const std::size_t count = file.count(file.words(1, "the number of slices")[0]);
-  if (count == 0)
-  {
-    file.refuse("the number of slices must not be 0");
-  }
+  file.refuseIf(count == 0, "the number of slices must not be 0");
   const std::vector<std::string> counts = file.words(3, "the numbers of features, kinks and accelerations");
   const std::size_t features = file.count(counts[0]);
   file.words(1, "the method of interpolation");
@@ -237,10 +210,7 @@ RailSeries readRailSlices(const std::string& path, const ProfileReading& reading
   }
   while (file.next())
   {
-    if (!splitWords(file.text()).empty())
-    {
-      file.refuse("more lines than the stated numbers of slices and features");
-    }
+    file.refuseIf(!splitWords(file.text()).empty(), "more lines than the stated numbers of slices and features");
   }
   return series;
 }

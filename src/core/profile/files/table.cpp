@@ -53,19 +53,13 @@ bool areTitles(const std::vector<TableTitle>& titles)
 std::optional<double> unitOf(const TextFile& file, const TextTable& table, const Columns& columns)
 {
   const std::string &y = table.titles()[columns.y].unit, &z = table.titles()[columns.z].unit;
-  if (y != z)
-  {
-    file.refuse(table.titleLine(), "units of the two columns, '" + y + "' and '" + z + "', must be the same");
-  }
+  file.refuseIf(y != z, table.titleLine(), "units of the two columns, '" + y + "' and '" + z + "', must be the same");
   if (y.empty())
   {
     return std::nullopt;
   }
   const std::optional<double> unit = unitNamed(lengthUnits(), y);
-  if (!unit)
-  {
-    file.refuse(table.titleLine(), "unit '" + y + "' must be m, cm, mm, um or in");
-  }
+  file.refuseIf(!unit, table.titleLine(), "unit '" + y + "' must be m, cm, mm, um or in");
   return unit;
 }
 
@@ -76,10 +70,8 @@ void checkTitles(const TextFile& file, const TextTable& table, const Columns& co
   {
     for (const std::size_t column : {columns.y, columns.z})
     {
-      if (i != column && lowerCase(table.titles()[i].name) == lowerCase(table.titles()[column].name))
-      {
-        file.refuse(table.titleLine(), "column '" + table.titles()[i].name + "' is given twice");
-      }
+      file.refuseIf(i != column && lowerCase(table.titles()[i].name) == lowerCase(table.titles()[column].name),
+                    table.titleLine(), "column '" + table.titles()[i].name + "' is given twice");
     }
   }
 }
@@ -89,19 +81,14 @@ Columns readTitles(const TextFile& file, const TextTable& table, FileProfile& co
 {
   if (table.titles().empty())
   {
-    if (table.columns() != 2)
-    {
-      file.refuse(0, std::to_string(table.columns()) +
-                         " columns without titles: a line of titles must name y and z, for example y_mm,z_mm");
-    }
+    file.refuseIf(table.columns() != 2, 0,
+                  std::to_string(table.columns()) +
+                      " columns without titles: a line of titles must name y and z, for example y_mm,z_mm");
     return {0, 1};
   }
   const Columns columns = columnsOf(table.titles());
-  if (columns.y == none)
-  {
-    file.refuse(table.titleLine(),
+  file.refuseIf(columns.y == none, table.titleLine(),
                 "is neither a comment nor a row of numbers nor titles of columns y and z, such as y_mm,z_mm");
-  }
   checkTitles(file, table, columns);
   content.unit = unitOf(file, table, columns);
   content.unit_in_file = content.unit.has_value();

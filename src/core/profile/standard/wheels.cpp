@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <array>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "core/constants.h"
+#include "core/option_check.h"
 #include "core/profile/standard/sections.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 
@@ -111,10 +111,8 @@ Profile s1002Wheel()
 
 Profile coneWheel(double slope)
 {
-  if (!(slope >= 0.01 && slope <= 0.1))
-  {
-    throw std::invalid_argument("slope = " + std::to_string(slope) + " of a conical wheel must be from 0.01 to 0.1");
-  }
+  refuseIf(!(slope >= 0.01 && slope <= 0.1),
+           "slope = " + std::to_string(slope) + " of a conical wheel must be from 0.01 to 0.1");
   constexpr double root_radius = 13.0;
   const Flank& flank = en13715_flank;
   const double to_flank = std::hypot(1.0, flank.slope);
