@@ -65,10 +65,7 @@ void readProfile(ParameterReader& reader, const std::string& name, NamedFile& pr
   {
     profile = NamedFile{reader.has(file) ? file : name, "", {}};
   }
-  if (reader.has(name) && (reader.has(file) || has_options))
-  {
-    reader.refuse(name, "either a name or a group");
-  }
+  reader.refuseIf(reader.has(name) && (reader.has(file) || has_options), name, "either a name or a group");
   reader.read(name, profile.value);
   reader.read(file, profile.value);
   readProfileOptions(reader, prefix, profile.reading);
@@ -91,16 +88,11 @@ void readSections(ParameterReader& reader, const std::string& group_of_part, con
     group.refuseUnknown();
     group.require("x", "place of the section on the line [m]");
     group.require("file", "profile of the section");
-    if (!part.sections.empty() && !(section.x > part.sections.back().x))
-    {
-      group.refuse("x", "greater than that of the section before");
-    }
+    group.refuseIf(!part.sections.empty() && !(section.x > part.sections.back().x), "x",
+                   "greater than that of the section before");
     part.sections.push_back(section);
   }
-  if (reader.has(name) && part.sections.empty())
-  {
-    reader.refuse(name, "a list of at least one section");
-  }
+  reader.refuseIf(reader.has(name) && part.sections.empty(), name, "a list of at least one section");
 }
 
 /// Reads one part of a rail: `slices`, a list of `sections`, or one `file` that holds everywhere.
@@ -111,10 +103,8 @@ RailPartFiles readPart(ParameterReader& reader, const std::string& group, const 
   const std::string slices = prefix + "slices", sections = prefix + "sections", file = prefix + "file";
   RailPartFiles part;
   readProfileOptions(reader, prefix, part.reading);
-  if (part.reading.origin)
-  {
-    reader.refuse(prefix + "origin", "omitted: sections keep the origin of their files; shift moves them");
-  }
+  reader.refuseIf(part.reading.origin.has_value(), prefix + "origin",
+                  "omitted: sections keep the origin of their files; shift moves them");
   part.slices = {group + slices, "", part.reading};
   reader.read(slices, part.slices.value);
   readSections(reader, group, sections, part);
@@ -166,10 +156,8 @@ void readRail(ParameterReader& reader, const std::string& name, RailFiles& rail)
 {
   const std::string prefix = name + "/";
   const auto has = [&](const char* member) { return reader.has(prefix + member); };
-  if (reader.has(name) && (has("slices") || has("sections") || has("parts") || has("placement")))
-  {
-    reader.refuse(name, "either a name or a group");
-  }
+  reader.refuseIf(reader.has(name) && (has("slices") || has("sections") || has("parts") || has("placement")), name,
+                  "either a name or a group");
   if (has("slices") || has("sections") || has("parts"))
   {
     rail = readParts(reader, name);
@@ -179,10 +167,7 @@ void readRail(ParameterReader& reader, const std::string& name, RailFiles& rail)
   {
     reader.know(prefix + member);
   }
-  if (has("placement"))
-  {
-    reader.refuse(prefix + "placement", "given together with slices, sections or parts");
-  }
+  reader.refuseIf(has("placement"), prefix + "placement", "given together with slices, sections or parts");
   if (reader.has(name) || has("file"))
   {
     rail = RailFiles{};
@@ -229,10 +214,8 @@ void readWheels(ParameterReader& reader, core::ContactModelConfig& model, ModelF
 
 void readRails(ParameterReader& reader, core::ContactModelConfig& model, ModelFiles& files)
 {
-  if (reader.has("track/cant"))
-  {
-    reader.refuse("track/cant", "renamed to track/rail_inclination (cant is the superelevation of the track)");
-  }
+  reader.refuseIf(reader.has("track/cant"), "track/cant",
+                  "renamed to track/rail_inclination (cant is the superelevation of the track)");
   core::Sides<double>& inclination = model.track.rail_inclination;
   readInclination(reader, "track/rail_inclination", inclination.left);
   inclination.right = inclination.left;

@@ -7,6 +7,7 @@
 
 #include "config/parameter_reader.h"
 #include "config/text.h"
+#include "core/option_check.h"
 
 namespace wheel_rail_contact
 {
@@ -39,10 +40,8 @@ std::vector<core::RailInfluence> readNeighbours(ParameterReader& reader)
   {
     double distance = 0;
     readRequired(neighbour, "distance", rules::positive, distance);
-    if (!neighbours.empty() && distance <= neighbours.back().distance)
-    {
-      neighbour.refuse("distance", "greater than the previous distance");
-    }
+    neighbour.refuseIf(!neighbours.empty() && distance <= neighbours.back().distance, "distance",
+                       "greater than the previous distance");
     neighbours.push_back({distance, readCompliances(neighbour, rules::finite)});
     neighbour.refuseUnknown();
   }
@@ -60,10 +59,7 @@ void takeProvenance(ParameterTree& tree, const std::string& file)
   {
     ++last;
   }
-  if (first == last)
-  {
-    throw std::invalid_argument(file + ": provenance is missing: state the source of the numbers");
-  }
+  core::refuseIf(first == last, file + ": provenance is missing: state the source of the numbers");
   tree.erase(first, last);
 }
 }  // namespace
@@ -80,11 +76,8 @@ ComplianceTableFile readComplianceTable(const std::string& file)
   readRequired(reader, "reference_depth", fixed_depth, depth);
   result.table = readCompliances(reader, rules::positive);
   const core::ComplianceTable& table = result.table;
-  if (!(table.lateral_lateral * table.roll_roll > table.lateral_roll * table.lateral_roll))
-  {
-    reader.refuse("lateral_roll",
+  reader.refuseIf(!(table.lateral_lateral * table.roll_roll > table.lateral_roll * table.lateral_roll), "lateral_roll",
                   "below sqrt(lateral_lateral * roll_roll) in absolute value (positive definite matrix)");
-  }
   readRequired(reader, "linear_range_lateral_to_vertical", positive_or_infinite, result.linear_range);
   result.neighbours = readNeighbours(reader);
   reader.refuseUnknown();

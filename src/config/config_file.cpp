@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "config/node_config.h"
+#include "core/option_check.h"
 #include "core/text/words.h"
 
 namespace wheel_rail_contact
@@ -25,10 +26,7 @@ std::string packageFile(const std::string& name, const FileSearch& search)
   const auto slash = name.find('/', package_scheme.size());
   const std::string package = name.substr(package_scheme.size(), slash - package_scheme.size());
   const std::string root = folderOf(package, search);
-  if (root.empty())
-  {
-    throw std::invalid_argument(name + ": there is no ROS package '" + package + "'");
-  }
+  core::refuseIf(root.empty(), name + ": there is no ROS package '" + package + "'");
   return slash == std::string::npos ? root : root + name.substr(slash);
 }
 

@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "config/model_files.h"
 
-#include <yaml-cpp/yaml.h>
-
-#include <map>
-#include <memory>
-#include <optional>
-#include <stdexcept>
-
 #include "config/compliance_table_file.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 

@@ -24,10 +24,8 @@ void readLine(ParameterReader& reader, ModelFiles& files)
 {
   using core::LineAxes;
   const std::string name = "track/line", file = name + "/file", axes = name + "/axes";
-  if (reader.has(name) && (reader.has(file) || reader.has(axes)))
-  {
-    reader.refuse(name, "either a file or a group with file and axes");
-  }
+  reader.refuseIf(reader.has(name) && (reader.has(file) || reader.has(axes)), name,
+                  "either a file or a group with file and axes");
   if (reader.has(axes))
   {
     reader.require(file, "the file with these axes");
@@ -44,10 +42,8 @@ void readTrack(ParameterReader& reader, NodeConfig& config, ModelFiles& files)
   reader.read("track/gauge", rules::finite, track.gauge);
   reader.read("track/gauge_depth", rules::finite, track.gauge_depth);
   reader.read("track/frame", config.track_frame);
-  if (config.track_frame.empty() || config.track_frame[0] == '/')
-  {
-    reader.refuse("track/frame", "the name of a tf frame, without a leading slash");
-  }
+  reader.refuseIf(config.track_frame.empty() || config.track_frame[0] == '/', "track/frame",
+                  "the name of a tf frame, without a leading slash");
   readLine(reader, files);
   reader.read("track/displacement", {{"none", false}, {"topic", true}}, config.displacement_topic);
   reader.read("track/distance", {{"pose", false}, {"topic", true}}, config.distance_topic);
@@ -83,10 +79,7 @@ void readLateralForce(ParameterReader& reader, core::RailBendingConfig& bending)
   }
   std::string word = bending.lateral_force == LateralForce::contact ? "contact" : "topic";
   reader.read(name, word);
-  if (word != "contact" && word != "topic")
-  {
-    reader.refuse(name, "contact, topic or a finite number [N]");
-  }
+  reader.refuseIf(word != "contact" && word != "topic", name, "contact, topic or a finite number [N]");
   bending.lateral_force = word == "contact" ? LateralForce::contact : LateralForce::topic;
 }
 
@@ -106,10 +99,7 @@ NeighbourConfig readNeighbour(ParameterReader& reader)
   reader.refuseUnknown();
   reader.require("topic", "the contact topic of the other wheelset");
   reader.require("distance", "the distance to the other wheelset along the track [m]");
-  if (!isTopic(neighbour.topic))
-  {
-    reader.refuse("topic", "the name of a topic that is not private");
-  }
+  reader.refuseIf(!isTopic(neighbour.topic), "topic", "the name of a topic that is not private");
   return neighbour;
 }
 
@@ -120,15 +110,11 @@ void readNeighbours(ParameterReader& reader, NodeConfig& config)
   for (ParameterReader& group : reader.readGroups(name))
   {
     config.neighbours.push_back(readNeighbour(group));
-    if (!topics.insert(config.neighbours.back().topic).second)
-    {
-      group.refuse("topic", "given only once");
-    }
+    group.refuseIf(!topics.insert(config.neighbours.back().topic).second, "topic", "given only once");
   }
-  if (!config.neighbours.empty() && config.model.rail_bending.model != core::RailBendingConfig::Model::compliance)
-  {
-    reader.refuse(name, "[] unless rail_bending/model is compliance");
-  }
+  reader.refuseIf(
+      !config.neighbours.empty() && config.model.rail_bending.model != core::RailBendingConfig::Model::compliance, name,
+      "[] unless rail_bending/model is compliance");
 }
 
 void readRailBending(ParameterReader& reader, core::RailBendingConfig& bending, ModelFiles& files)
@@ -137,10 +123,9 @@ void readRailBending(ParameterReader& reader, core::RailBendingConfig& bending, 
   reader.read("rail_bending/model",
               {{"none", Model::none}, {"prescribed", Model::prescribed}, {"compliance", Model::compliance}},
               bending.model);
-  if (bending.model == Model::compliance && (files.table.left.value.empty() || files.table.right.value.empty()))
-  {
-    reader.refuse("rail_bending/table", "a file with a compliance table when rail_bending/model is compliance");
-  }
+  reader.refuseIf(
+      bending.model == Model::compliance && (files.table.left.value.empty() || files.table.right.value.empty()),
+      "rail_bending/table", "a file with a compliance table when rail_bending/model is compliance");
   readLateralForce(reader, bending);
   reader.read("rail_bending/prescribed/lateral", rules::finite, bending.prescribed.lateral);
   reader.read("rail_bending/prescribed/vertical", rules::finite, bending.prescribed.vertical);
@@ -187,10 +172,8 @@ void readCreep(ParameterReader& reader, core::CreepConfig& creep)
   }
   reader.read("creep/rotation", {{"free", Rotation::free}, {"topic", Rotation::given}}, creep.rotation);
   reader.read("creep/field", {{"false", false}, {"true", true}}, creep.field);
-  if (creep.field && creep.method != CreepMethod::exact)
-  {
-    reader.refuse("creep/field", "false unless creep/method is exact");
-  }
+  reader.refuseIf(creep.field && creep.method != CreepMethod::exact, "creep/field",
+                  "false unless creep/method is exact");
 }
 
 void readContact(ParameterReader& reader, core::ContactConfig& contact)
@@ -212,10 +195,8 @@ void readSync(ParameterReader& reader, NodeConfig& config)
 {
   reader.read("sync/slop", slop_rule, config.slop);
   reader.read("sync/load", {{"match", false}, {"interpolate", true}}, config.interpolate_load);
-  if (config.interpolate_load && !config.model.wheelset.solve_height_and_roll)
-  {
-    reader.refuse("sync/load", "match if wheelset/free is [], because no load is read then");
-  }
+  reader.refuseIf(config.interpolate_load && !config.model.wheelset.solve_height_and_roll, "sync/load",
+                  "match if wheelset/free is [], because no load is read then");
   reader.read("sync/longest_gap", gap_rule, config.longest_gap);
 }
 

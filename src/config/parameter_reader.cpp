@@ -8,6 +8,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "core/option_check.h"
+
 namespace wheel_rail_contact
 {
 namespace rules
@@ -51,20 +53,14 @@ const YAML::Node* ParameterReader::find(const std::string& name)
   {
     return nullptr;
   }
-  if (entry->second.IsNull())
-  {
-    throw std::invalid_argument("parameter " + prefix_ + name + " has no value");
-  }
+  core::refuseIf(entry->second.IsNull(), "parameter " + prefix_ + name + " has no value");
   return &entry->second;
 }
 
 const std::string& ParameterReader::scalar(const std::string& name, const YAML::Node& node,
                                            const std::string& rule) const
 {
-  if (!node.IsScalar())
-  {
-    refuse(name, rule);
-  }
+  refuseIf(!node.IsScalar(), name, rule);
   return node.Scalar();
 }
 
@@ -76,10 +72,7 @@ void ParameterReader::read(const std::string& name, const NumberRule& rule, doub
     return;
   }
   const auto number = parseNumber(scalar(name, *node, rule.text));
-  if (!number || !rule.holds(*number))
-  {
-    refuse(name, rule.text);
-  }
+  refuseIf(!number || !rule.holds(*number), name, rule.text);
   value = *number;
 }
 
@@ -98,10 +91,7 @@ bool ParameterReader::readRatio(const std::string& name, const NumberRule& rule,
     return false;
   }
   const auto number = parseNumber(node->Scalar().substr(2));
-  if (!number || !rule.holds(*number))
-  {
-    refuse(name, rule.text);
-  }
+  refuseIf(!number || !rule.holds(*number), name, rule.text);
   value = *number;
   return true;
 }
@@ -121,10 +111,7 @@ void ParameterReader::read(const std::string& name, std::vector<std::string>& wo
   {
     return;
   }
-  if (!node->IsSequence())
-  {
-    refuse(name, "a list of strings");
-  }
+  refuseIf(!node->IsSequence(), name, "a list of strings");
   words.clear();
   for (const auto& entry : *node)
   {
@@ -140,16 +127,10 @@ std::vector<ParameterReader> ParameterReader::readGroups(const std::string& name
   {
     return groups;
   }
-  if (!node->IsSequence())
-  {
-    refuse(name, "a list of groups");
-  }
+  refuseIf(!node->IsSequence(), name, "a list of groups");
   for (const auto& entry : *node)
   {
-    if (!entry.IsMap())
-    {
-      refuse(name, "a list of groups");
-    }
+    refuseIf(!entry.IsMap(), name, "a list of groups");
     groups.emplace_back(parameterTree(entry), prefix_ + name + "/");
   }
   return groups;
@@ -163,21 +144,15 @@ bool ParameterReader::isNumber(const std::string& name) const
 
 void ParameterReader::require(const std::string& name, const std::string& why) const
 {
-  if (!has(name))
-  {
-    throw std::invalid_argument("parameter " + prefix_ + name + " is missing: " + why);
-  }
+  core::refuseIf(!has(name), "parameter " + prefix_ + name + " is missing: " + why);
 }
 
 void ParameterReader::refuseUnknown() const
 {
   for (const auto& entry : tree_)
   {
-    if (known_.count(entry.first) == 0)
-    {
-      throw std::invalid_argument("parameter " + prefix_ + entry.first + " is unknown; known names" +
-                                  knownBeside(entry.first));
-    }
+    core::refuseIf(known_.count(entry.first) == 0,
+                   "parameter " + prefix_ + entry.first + " is unknown; known names" + knownBeside(entry.first));
   }
 }
 

@@ -68,6 +68,14 @@ class ParameterReader
   void refuseUnknown() const;
   /// @throw std::invalid_argument "parameter NAME = VALUE must be RULE", always.
   [[noreturn]] void refuse(const std::string& name, const std::string& rule) const;
+  /// The same if there is a fault.
+  void refuseIf(bool fault, const std::string& name, const std::string& rule) const
+  {
+    if (fault)
+    {
+      refuse(name, rule);
+    }
+  }
 
  private:
   const YAML::Node* find(const std::string& name);

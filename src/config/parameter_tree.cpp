@@ -3,6 +3,8 @@
 
 #include <stdexcept>
 
+#include "core/option_check.h"
+
 namespace wheel_rail_contact
 {
 namespace
@@ -16,10 +18,7 @@ class Collector
  public:
   void collect(const YAML::Node& group, const std::string& prefix, int depth)
   {
-    if (depth > max_depth)
-    {
-      throw std::invalid_argument("parameters: more than " + std::to_string(max_depth) + " nested groups");
-    }
+    core::refuseIf(depth > max_depth, "parameters: more than " + std::to_string(max_depth) + " nested groups");
     for (const auto& entry : group)
     {
       take(entry.first, entry.second, prefix, depth);
@@ -31,14 +30,8 @@ class Collector
  private:
   void take(const YAML::Node& key, const YAML::Node& value, const std::string& prefix, int depth)
   {
-    if (!key.IsScalar())
-    {
-      throw std::invalid_argument("parameters: the group '" + prefix + "' has a key that is not a name");
-    }
-    if (++entries_ > max_entries)
-    {
-      throw std::invalid_argument("parameters: more than " + std::to_string(max_entries) + " names");
-    }
+    core::refuseIf(!key.IsScalar(), "parameters: the group '" + prefix + "' has a key that is not a name");
+    core::refuseIf(++entries_ > max_entries, "parameters: more than " + std::to_string(max_entries) + " names");
     const std::string name = prefix + key.Scalar();
     if (value.IsMap())
     {
@@ -96,10 +89,7 @@ ParameterTree parameterTree(const YAML::Node& document)
   {
     return {};
   }
-  if (!document.IsMap())
-  {
-    throw std::invalid_argument("parameters: the document must be a map of names and values");
-  }
+  core::refuseIf(!document.IsMap(), "parameters: the document must be a map of names and values");
   Collector collector;
   collector.collect(document, "", 1);
   return collector.tree;

@@ -12,6 +12,7 @@
 
 #include "config/compliance_table_file.h"
 #include "config/text.h"
+#include "core/option_check.h"
 #include "python/bindings.h"
 #include "python/contact_model.h"
 #include "python/many_states.h"
@@ -78,10 +79,8 @@ std::vector<std::string> stateColumns()
 
 std::vector<WheelsetState> statesOf(const StateTable& table)
 {
-  if (table.cols() != static_cast<Eigen::Index>(stateColumns().size()))
-  {
-    throw std::invalid_argument("states: must have a column for each of STATE_COLUMNS");
-  }
+  core::refuseIf(table.cols() != static_cast<Eigen::Index>(stateColumns().size()),
+                 "states: must have a column for each of STATE_COLUMNS");
   std::vector<WheelsetState> states(static_cast<std::size_t>(table.rows()));
   Eigen::Index row = 0;
   for (WheelsetState& state : states)

@@ -10,8 +10,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <ostream>
-#include <stdexcept>
-#include <utility>
 
 #include "replay/result_connection.h"
 #include "replay/warm_up.h"

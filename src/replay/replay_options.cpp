@@ -9,11 +9,11 @@
 #include <functional>
 #include <ostream>
 #include <sstream>
-#include <stdexcept>
-#include <string_view>
 #include <thread>
 
 #include <wheel_rail_contact/WheelsetContact.h>
+
+#include "core/option_check.h"
 
 namespace wheel_rail_contact
 {
@@ -36,10 +36,8 @@ int threadCount(const std::string& text)
   catch (const std::exception&)  // not a number: rejected below
   {
   }
-  if (read != text.size() || count < 1 || count > most)
-  {
-    throw std::invalid_argument("--threads = " + text + ": must be an integer from 1 to 1024");
-  }
+  core::refuseIf(read != text.size() || count < 1 || count > most,
+                 "--threads = " + text + ": must be an integer from 1 to 1024");
   return count;
 }
 
@@ -51,11 +49,8 @@ std::uint64_t recordingTime(const std::string& option, const std::string& text)
   const std::string seconds = text.substr(0, point);
   std::string fraction = point < text.size() ? text.substr(point + 1) : "";
   const bool digits = (seconds + fraction).find_first_not_of("0123456789") == std::string::npos;
-  if (!digits || seconds.empty() || seconds.size() > most_seconds || fraction.size() > decimals)
-  {
-    throw std::invalid_argument(option + " = " + text +
-                                ": must be a recording time in seconds with at most 9 decimals");
-  }
+  core::refuseIf(!digits || seconds.empty() || seconds.size() > most_seconds || fraction.size() > decimals,
+                 option + " = " + text + ": must be a recording time in seconds with at most 9 decimals");
   fraction.resize(decimals, '0');
   return std::stoull(seconds) * 1000000000 + std::stoull(fraction);
 }
@@ -77,10 +72,8 @@ std::vector<std::string> namespaces(const std::vector<std::string>& names)
   for (const std::string& name : names)
   {
     result.push_back(asNamespace(name));
-    if (std::count(result.begin(), result.end(), result.back()) > 1)
-    {
-      throw std::invalid_argument("--wheelset " + name + ": is given twice");
-    }
+    core::refuseIf(std::count(result.begin(), result.end(), result.back()) > 1,
+                   "--wheelset " + name + ": is given twice");
   }
   return result;
 }
@@ -88,10 +81,8 @@ std::vector<std::string> namespaces(const std::vector<std::string>& names)
 /// Value of an option that names a topic.
 std::string topicName(const std::string& option, const std::string& name)
 {
-  if (name.find_first_not_of('/') == std::string::npos)
-  {
-    throw std::invalid_argument(option + " = \"" + name + "\": must be the name of a topic");
-  }
+  core::refuseIf(name.find_first_not_of('/') == std::string::npos,
+                 option + " = \"" + name + "\": must be the name of a topic");
   return name;
 }
 
@@ -99,12 +90,10 @@ void requireRelativeNames(const BagInputs& inputs)
 {
   for (const auto& [topic, name] : inputs.names)
   {
-    if (inputs.wheelsets.size() > 1 && name.rfind('/', 0) == 0)
-    {
-      throw std::invalid_argument(optionOf(topic) + " = " + name +
-                                  ": must not begin with a slash if there are several wheelsets; the name is relative "
-                                  "to the namespace of each wheelset");
-    }
+    core::refuseIf(inputs.wheelsets.size() > 1 && name.rfind('/', 0) == 0,
+                   optionOf(topic) + " = " + name +
+                       ": must not begin with a slash if there are several wheelsets; the name is relative "
+                       "to the namespace of each wheelset");
   }
 }
 
@@ -158,10 +147,8 @@ void requireValues(const po::parsed_options& parsed)
   const auto is_option = [](const std::string& text) { return text.size() > 1 && text[0] == '-'; };
   for (const po::option& option : parsed.options)
   {
-    if (option.position_key < 0 && std::any_of(option.value.begin(), option.value.end(), is_option))
-    {
-      throw std::invalid_argument("--" + option.string_key + ": requires a value");
-    }
+    core::refuseIf(option.position_key < 0 && std::any_of(option.value.begin(), option.value.end(), is_option),
+                   "--" + option.string_key + ": requires a value");
   }
 }
 }  // namespace
@@ -178,10 +165,8 @@ void BagInputs::requireUsed(const std::vector<InputTopic>& topics) const
 {
   for (const auto& [topic, name] : names)
   {
-    if (std::find(topics.begin(), topics.end(), topic) == topics.end())
-    {
-      throw std::invalid_argument(optionOf(topic) + " = " + name + ": the parameters require no " + nameOf(topic));
-    }
+    core::refuseIf(std::find(topics.begin(), topics.end(), topic) == topics.end(),
+                   optionOf(topic) + " = " + name + ": the parameters require no " + nameOf(topic));
   }
 }
 
@@ -243,14 +228,8 @@ ReplayOptions parseReplayOptions(const std::vector<std::string>& arguments)
   {
     return options;
   }
-  if (options.span.from >= options.span.to)
-  {
-    throw std::invalid_argument("--from: must be before --to");
-  }
-  if (files.size() != 2)
-  {
-    throw std::invalid_argument("two bags are required, IN.bag and OUT.bag, before --wheelset");
-  }
+  core::refuseIf(options.span.from >= options.span.to, "--from: must be before --to");
+  core::refuseIf(files.size() != 2, "two bags are required, IN.bag and OUT.bag, before --wheelset");
   options.input = files[0];
   options.output = files[1];
   requireRelativeNames(options.inputs);

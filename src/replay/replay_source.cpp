@@ -4,10 +4,7 @@
 #include <tf2/exceptions.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include <algorithm>
-#include <stdexcept>
-#include <utility>
-
+#include "core/option_check.h"
 #include "replay/bag_messages.h"
 #include "ros/evaluation/hold_last.h"
 
@@ -107,12 +104,10 @@ bool ReplaySource::isRead(const std::string& topic) const
 /// Rejects a neighbour whose results this run computes: only results of an earlier run are in the input.
 void ReplaySource::requireFromEarlierRun(const std::string& topic) const
 {
-  if (results_.count(topic) > 0)
-  {
-    throw std::invalid_argument("rail_bending/neighbours: topic " + topic +
-                                " is a result of this same run; replay that wheelset first with --keep-topics, and use "
-                                "the resulting bag as the input for the other wheelset");
-  }
+  core::refuseIf(results_.count(topic) > 0,
+                 "rail_bending/neighbours: topic " + topic +
+                     " is a result of this same run; replay that wheelset first with --keep-topics, and use "
+                     "the resulting bag as the input for the other wheelset");
 }
 
 std::string ReplaySource::reasonOfMissing(const std::string& topic, const Use& use) const

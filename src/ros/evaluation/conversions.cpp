@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "config/result_fields.h"
+#include "core/option_check.h"
 
 namespace wheel_rail_contact
 {
@@ -24,10 +25,7 @@ void assign(const From& from, To& to)
 void assign(const std::string& from, std::string_view& to)
 {
   const core::NormalMethod method = core::methodNamed(from);
-  if (method == core::NormalMethod::automatic)
-  {
-    throw std::invalid_argument("method = 'auto': not the method of a patch");
-  }
+  core::refuseIf(method == core::NormalMethod::automatic, "method = 'auto': not the method of a patch");
   to = toString(method);
 }
 

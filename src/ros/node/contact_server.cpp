@@ -3,9 +3,8 @@
 
 #include <exception>
 #include <iostream>
-#include <stdexcept>
-#include <utility>
 
+#include "core/option_check.h"
 #include "ros/markers/contact_scene.h"
 #include "ros/markers/stress_section.h"
 #include "ros/markers/track_markers.h"
@@ -133,11 +132,9 @@ void ContactServer::subscribeToNeighbours()
   for (std::size_t i = 0; i < config_.neighbours.size(); ++i)
   {
     const std::string& topic = config_.neighbours[i].topic;
-    if (nh_.resolveName(topic) == private_nh_.resolveName("contact"))
-    {
-      throw std::invalid_argument("parameter " + private_nh_.getNamespace() + "/rail_bending/neighbours: topic " +
-                                  topic + " is published by this node itself");
-    }
+    core::refuseIf(nh_.resolveName(topic) == private_nh_.resolveName("contact"),
+                   "parameter " + private_nh_.getNamespace() + "/rail_bending/neighbours: topic " + topic +
+                       " is published by this node itself");
     subscribeAtOnce<ResultHead>(
         topic, [this, i](const boost::shared_ptr<const ResultHead>& result) { neighbours_.add(i, *result); });
   }
