@@ -127,10 +127,8 @@ class Results
   {
     const bool is_own = connection.topic == topics_[number] && connection.header.has(description_field);
     const Description description = is_own ? descriptionOf(connection) : Description{};
-    if (!is_own || (!whole_.empty() && description.whole != whole_) || description.span.from < end_)
-    {
-      throw BagError(part + ": is not a later part of the same replay as the parts before it");
-    }
+    refuseBagIf(!is_own || (!whole_.empty() && description.whole != whole_) || description.span.from < end_,
+                part + ": is not a later part of the same replay as the parts before it");
     whole_ = description.whole;
     connection.header.set(description_field, whole_);
     connections_[number] = std::move(connection);
@@ -140,13 +138,11 @@ class Results
   /// A part without results does not contain its span. A gap next to such a part is not detected.
   void requireNoGap(const std::string& part, std::uint64_t next) const
   {
-    if (is_end_known_ && end_ < next)
-    {
-      throw BagError(part + ": the part that begins at " + std::to_string(end_) + " ns is missing" +
-                     (next < std::numeric_limits<std::uint64_t>::max()
-                          ? "; this part begins at " + std::to_string(next) + " ns"
-                          : "; this is the last part"));
-    }
+    refuseBagIf(
+        is_end_known_ && end_ < next,
+        part + ": the part that begins at " + std::to_string(end_) + " ns is missing" +
+            (next < std::numeric_limits<std::uint64_t>::max() ? "; this part begins at " + std::to_string(next) + " ns"
+                                                              : "; this is the last part"));
   }
 
   std::vector<std::string> topics_;  ///< by wheelset

@@ -16,9 +16,9 @@ constexpr int lz4_block_size = 6;               ///< 1 MiB, roslz4_blockSizeFrom
 constexpr std::size_t bz2_step = 1 << 20;       ///< first size of the buffer [B]
 constexpr std::size_t lz4_largest_ratio = 255;  ///< upper limit of content size to data size
 
-[[noreturn]] void refuseDamaged()
+void refuseDamagedIf(bool damaged)
 {
-  throw BagError("compressed data is damaged");
+  refuseBagIf(damaged, "compressed data is damaged");
 }
 
 /// Decompresses bz2 data. The buffer grows with the content, because the size in a damaged header may be far too large.
@@ -47,37 +47,25 @@ std::string unpackedBz2(std::string data, std::size_t size)
     done = content.size() - stream.avail_out;
   }
   BZ2_bzDecompressEnd(&stream);
-  if (state != BZ_STREAM_END || done != size)
-  {
-    refuseDamaged();
-  }
+  refuseDamagedIf(state != BZ_STREAM_END || done != size);
   return content;
 }
 
 std::string unpackedLz4(std::string data, std::size_t size)
 {
-  if (size > lz4_largest_ratio * data.size())
-  {
-    refuseDamaged();
-  }
+  refuseDamagedIf(size > lz4_largest_ratio * data.size());
   std::string content(size, '\0');
   auto length = static_cast<unsigned int>(size);
-  if (roslz4_buffToBuffDecompress(data.data(), static_cast<unsigned int>(data.size()), content.data(), &length) !=
-          ROSLZ4_OK ||
-      length != size)
-  {
-    refuseDamaged();
-  }
+  refuseDamagedIf(roslz4_buffToBuffDecompress(data.data(), static_cast<unsigned int>(data.size()), content.data(),
+                                              &length) != ROSLZ4_OK ||
+                  length != size);
   return content;
 }
 }  // namespace
 
 std::string decompressed(const std::string& compression, std::string data, std::size_t size)
 {
-  if (size > largest_record)
-  {
-    throw BagError("its header gives a size above 256 MiB");
-  }
+  refuseBagIf(size > largest_record, "its header gives a size above 256 MiB");
   if (compression == "none")
   {
     return data;
@@ -99,18 +87,13 @@ std::string compressed(const std::string& compression, std::string content)
   {
     return content;
   }
-  if (compression != "lz4")
-  {
-    throw BagError("cannot compress with '" + compression + "'");
-  }
+  refuseBagIf(compression != "lz4", "cannot compress with '" + compression + "'");
   // Incompressible data becomes larger by the headers of blocks and frame.
   std::string data(content.size() + content.size() / 100 + 1024, '\0');
   auto length = static_cast<unsigned int>(data.size());
-  if (roslz4_buffToBuffCompress(content.data(), static_cast<unsigned int>(content.size()), data.data(), &length,
-                                lz4_block_size) != ROSLZ4_OK)
-  {
-    throw BagError("lz4 failed to compress a chunk");
-  }
+  refuseBagIf(roslz4_buffToBuffCompress(content.data(), static_cast<unsigned int>(content.size()), data.data(), &length,
+                                        lz4_block_size) != ROSLZ4_OK,
+              "lz4 failed to compress a chunk");
   data.resize(length);
   return data;
 }

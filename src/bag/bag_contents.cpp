@@ -48,10 +48,7 @@ void addChunkInfo(const BagFields& header, std::string_view data, const TopicFil
 BagContents readIndexSection(const BagFile& file, const TopicFilter& wanted, const BagSpan& span,
                              std::uint64_t& last_chunk)
 {
-  if (file.indexSection() == 0)
-  {
-    throw BagError("it was not closed");
-  }
+  refuseBagIf(file.indexSection() == 0, "it was not closed");
   BagContents contents;
   for (std::uint64_t position = file.indexSection(); position < file.size();)
   {
@@ -69,10 +66,7 @@ BagContents readIndexSection(const BagFile& file, const TopicFilter& wanted, con
     position = record.end();
   }
   const BagFields& header = file.recordAt(bag_magic.size()).header;
-  if (contents.connections.size() != header.number<std::uint32_t>("conn_count"))
-  {
-    throw BagError("the index is incomplete");
-  }
+  refuseBagIf(contents.connections.size() != header.number<std::uint32_t>("conn_count"), "the index is incomplete");
   const auto earlier = [](const BagChunk& a, const BagChunk& b) { return a.position < b.position; };
   std::sort(contents.chunks.begin(), contents.chunks.end(), earlier);
   return contents;

@@ -20,10 +20,7 @@ std::string_view takeCounted(std::string_view& bytes)
 {
   const auto length = numberAt<std::uint32_t>(bytes);
   bytes.remove_prefix(sizeof(length));
-  if (bytes.size() < length)
-  {
-    throw BagError("a record is truncated");
-  }
+  refuseBagIf(bytes.size() < length, "a record is truncated");
   const std::string_view taken = bytes.substr(0, length);
   bytes.remove_prefix(length);
   return taken;
@@ -48,10 +45,7 @@ BagFields::BagFields(std::string_view bytes)
   {
     const std::string_view field = takeCounted(bytes);
     const auto equals = field.find('=');
-    if (equals == std::string_view::npos)
-    {
-      throw BagError("a header field has no '='");
-    }
+    refuseBagIf(equals == std::string_view::npos, "a header field has no '='");
     fields_[std::string(field.substr(0, equals))] = field.substr(equals + 1);
   }
 }
@@ -135,19 +129,12 @@ BagFile::~BagFile()
 
 void BagFile::readBagHeader()
 {
-  if (size_ < bag_magic.size() || bytes(0, bag_magic.size()) != bag_magic)
-  {
-    throw BagError(path_ + ": not a bag of version 2.0 (older versions: rosbag fix)");
-  }
+  refuseBagIf(size_ < bag_magic.size() || bytes(0, bag_magic.size()) != bag_magic,
+              path_ + ": not a bag of version 2.0 (older versions: rosbag fix)");
   const Place header = recordAt(bag_magic.size());
-  if (header.header.op() != BagOp::bag_header)
-  {
-    throw BagError(path_ + ": the first record is not a bag header");
-  }
-  if (header.header.has("encryptor") && !header.header.text("encryptor").empty())
-  {
-    throw BagError(path_ + ": the bag is encrypted (decrypt it with rosbag decrypt)");
-  }
+  refuseBagIf(header.header.op() != BagOp::bag_header, path_ + ": the first record is not a bag header");
+  refuseBagIf(header.header.has("encryptor") && !header.header.text("encryptor").empty(),
+              path_ + ": the bag is encrypted (decrypt it with rosbag decrypt)");
   first_record_ = header.end();
   index_section_ = header.header.number<std::uint64_t>("index_pos");
 }

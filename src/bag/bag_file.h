@@ -17,6 +17,15 @@ class BagError : public std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
+/// @throw BagError with this reason if there is a fault.
+inline void refuseBagIf(bool fault, std::string_view reason)
+{
+  if (fault)
+  {
+    throw BagError(std::string(reason));
+  }
+}
+
 // Records of the rosbag format 2.0: <length><header><length><data>. A header is a list of <length>name=value. Lengths
 // have 4 bytes. Numbers are little-endian, as on every machine on which ROS 1 runs, and are therefore copied unchanged.
 
@@ -46,10 +55,7 @@ template <typename Number>
 Number numberAt(std::string_view bytes)
 {
   Number number = 0;
-  if (bytes.size() < sizeof(number))
-  {
-    throw BagError("a number is truncated");
-  }
+  refuseBagIf(bytes.size() < sizeof(number), "a number is truncated");
   std::memcpy(&number, bytes.data(), sizeof(number));
   return number;
 }

@@ -68,11 +68,9 @@ ResultCounts resumedResults(const std::string& path, const BagResumePoint& resum
       counts.add(head->status, head->status_text, head->held);
     }
   }
-  if (messages != resume_point.messages)
-  {
-    throw BagError(path + ": cannot be resumed; " + std::to_string(messages) + " of its " +
-                   std::to_string(resume_point.messages) + " messages can be read");
-  }
+  refuseBagIf(messages != resume_point.messages, path + ": cannot be resumed; " + std::to_string(messages) +
+                                                     " of its " + std::to_string(resume_point.messages) +
+                                                     " messages can be read");
   return counts;
 }
 }  // namespace wheel_rail_contact
