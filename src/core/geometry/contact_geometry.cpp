@@ -55,11 +55,9 @@ class WheelTouch
   GeometryStatus find(double y, double roll)
   {
     search_.setWheel({wheel_, wheelset_, side_, toSide(side_, {y, 0, 0, roll})});
-    if (!search_.nearest(touch_))
-    {
-      return GeometryStatus::beside_rail;
-    }
-    return isAtEnd() ? GeometryStatus::off_profile : GeometryStatus::ok;
+    return !search_.nearest(touch_) ? GeometryStatus::beside_rail
+           : isAtEnd()              ? GeometryStatus::off_profile
+                                    : GeometryStatus::ok;
   }
 
   /// Height of the axle centre in the touch that was found [m].

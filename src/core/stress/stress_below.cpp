@@ -204,12 +204,6 @@ void add(double factor, const Stress& part, Stress& sum)
   sum.xy += factor * part.xy;
 }
 
-/// Corner of cell (row, column) with the smallest coordinates.
-Eigen::Vector3d corner(const PatchGrid& grid, int row, int column)
-{
-  return {grid.x(row) - 0.5 * grid.dx, grid.y(column) - 0.5 * grid.dy, 0};
-}
-
 /// Components of a stress in the order of StressLayer, and their parities along x and y.
 constexpr std::array<double Stress::*, 6> components{&Stress::xx, &Stress::yy, &Stress::zz,
                                                      &Stress::yz, &Stress::xz, &Stress::xy};
@@ -259,7 +253,7 @@ Stress stressAt(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, double p
       const double jump = at(i, j) - at(i - 1, j) - at(i, j - 1) + at(i - 1, j - 1);
       if (jump != 0)
       {
-        const Eigen::Vector3d offset = point - corner(grid, i, j);
+        const Eigen::Vector3d corner(grid.x(i) - 0.5 * grid.dx, grid.y(j) - 0.5 * grid.dy, 0), offset = point - corner;
         if (offset.squaredNorm() == 0)
         {
           throw std::invalid_argument("depth = 0: must be above 0 at a corner of a cell, where xy is infinite");

@@ -281,11 +281,6 @@ bool StressSearch::Top::advance(const Stress* star, double least)
   return found;
 }
 
-StressPeak StressSearch::scaled(const StressPeak& peak) const
-{
-  return {peak.value, unit_ * peak.x, unit_ * peak.y, unit_ * peak.depth};
-}
-
 double loadFactor(double max_pressure, double yield)
 {
   return yield > 0 ? max_pressure * tension_over_shear / yield : 0;

@@ -76,7 +76,10 @@ class StressSearch
   void refine(Top* tops, std::size_t count, double spacing, double poisson) const;
   void settle(Top& top, double poisson);
   static Parabolas parabolas(const Stress* star, Measure measure);
-  StressPeak scaled(const StressPeak& peak) const;
+  StressPeak scaled(const StressPeak& peak) const
+  {
+    return {peak.value, unit_ * peak.x, unit_ * peak.y, unit_ * peak.depth};
+  }
 
   double unit_ = 1;                     ///< shorter semi-axis [m]
   double longer_x_ = 1, longer_y_ = 1;  ///< semi-axes in this unit [-]

@@ -97,9 +97,4 @@ void WheelError::add(const ContactMeasures& patch, const ErrorEstimate& error)
   area_ += error.area * patch.area / wheel_.area;
   approach_ += error.approach * patch.force / wheel_.force;
 }
-
-double WheelError::largest() const
-{
-  return std::max({pressure_, area_, approach_});
-}
 }  // namespace wheel_rail_contact::core

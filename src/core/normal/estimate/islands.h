@@ -71,7 +71,7 @@ class WheelError
 
   /// Adds a patch.
   void add(const ContactMeasures& patch, const ErrorEstimate& error);
-  double largest() const;
+  double largest() const { return std::max({pressure_, area_, approach_}); }
 
  private:
   ContactMeasures wheel_;

@@ -30,18 +30,6 @@ struct EdgeSides
   double left = 0, right = 0;   ///< along y, at the first and second row
 };
 
-double triangle(double a, double b)
-{
-  return 0.5 * std::max(a, 0.0) * std::max(b, 0.0);
-}
-
-/// Loaded share of a square with three loaded corners. `a` and `b` are the distances of the edge from the loaded
-/// corners next to the empty one, along x and along y.
-double emptyCorner(double a, double b)
-{
-  return 1 - 0.5 * (1 - a) * (1 - b);
-}
-
 /// Quarter turns of the edge in a square with these loaded corners. An island has four in total, a hole in an island -4
 /// (Gray 1971, for cells that are neighbours by their sides).
 constexpr std::array<int, 16> quarter_turns{0, 1, 1, 0, 1, 0, 2, -1, 1, 2, 0, -1, 0, -1, -1, 0};
@@ -62,7 +50,8 @@ double loadedShare(unsigned corners, const EdgeSides& s)
     const bool loaded = (corners >> corner & 1U) != 0;
     if (loaded == (turns > 0))
     {
-      share += loaded ? triangle(along, across) : emptyCorner(along, across);
+      // The triangle at a loaded corner; or all but that at an empty one, with distances from the corners beside it.
+      share += loaded ? 0.5 * std::max(along, 0.0) * std::max(across, 0.0) : 1 - 0.5 * (1 - along) * (1 - across);
     }
   }
   return share;

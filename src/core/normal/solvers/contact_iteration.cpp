@@ -139,11 +139,6 @@ void ContactIteration::multiply(const LaneBuffer& in, LaneBuffer& out)
   ++products_;
 }
 
-void ContactIteration::end()
-{
-  columns_.unscale(p_, u_);
-}
-
 /// Scales the first pressure to the lowest energy at the given approach.
 void ContactIteration::scaleToApproach()
 {

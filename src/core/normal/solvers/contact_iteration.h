@@ -28,7 +28,7 @@ class ContactIteration
   SolveStatus iterate();
 
   /// Removes the weights of the columns. Afterwards only the results may be read.
-  void end();
+  void end() { columns_.unscale(p_, u_); }
 
   const std::vector<PatchLayout>& patches() const { return patches_; }
   const LaneBuffer& pressure() const { return p_; }

@@ -22,16 +22,6 @@ double ContactTangent::dot(const LaneBuffer& a, const LaneBuffer& b) const
   return sum;
 }
 
-double ContactTangent::largest(const LaneBuffer& field) const
-{
-  return Eigen::Map<const Eigen::ArrayXd>(field.data(), length_).abs().maxCoeff();
-}
-
-void ContactTangent::mask(LaneBuffer& field) const
-{
-  kernels_.multiply_by(length_, loaded_.data(), field.data());
-}
-
 void ContactTangent::precondition()
 {
   for (const PatchLayout& patch : patches_)

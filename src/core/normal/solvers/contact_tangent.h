@@ -46,8 +46,11 @@ class ContactTangent
              const std::vector<Eigen::ArrayXXd>& openings);
   Forces column(Eigen::Index displacement);
   double dot(const LaneBuffer& a, const LaneBuffer& b) const;
-  double largest(const LaneBuffer& field) const;
-  void mask(LaneBuffer& field) const;
+  double largest(const LaneBuffer& field) const
+  {
+    return Eigen::Map<const Eigen::ArrayXd>(field.data(), length_).abs().maxCoeff();
+  }
+  void mask(LaneBuffer& field) const { kernels_.multiply_by(length_, loaded_.data(), field.data()); }
   void precondition();
   void solve(const LaneBuffer& right);
 

@@ -47,11 +47,8 @@ void NormalSolver::solveCurved(const CurvedProblem& problem, bool warm, NormalSo
 
 std::string_view NormalSolver::leftOut(const CurvedProblem& problem) const
 {
-  if (problem.normals.empty())
-  {
-    return problem.isCoupled() ? "patch coupling" : "";
-  }
-  return problem.isCoupled() ? "column normals, patch coupling" : "column normals";
+  return problem.normals.empty() ? (problem.isCoupled() ? "patch coupling" : "")
+                                 : (problem.isCoupled() ? "column normals, patch coupling" : "column normals");
 }
 
 void NormalSolver::estimateErrors(const NormalProblem& problem, const NormalSolution& solution,
