@@ -98,10 +98,7 @@ void appendRecord(const BagFields& header, std::string_view data, std::string& b
   bytes += data;
 }
 
-namespace
-{
 constexpr std::uint32_t longest_header = 1 << 20;  ///< a record with a longer header is damaged [B]
-}
 
 BagFile::BagFile(const std::string& path) : path_(path), descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC))
 {

@@ -6,11 +6,8 @@
 
 namespace wheel_rail_contact
 {
-namespace
-{
 constexpr std::size_t most_faults = 20;           ///< reported individually
 constexpr std::size_t most_open_bytes = 1 << 27;  ///< limit for chunks that overlap in time [B]
-}  // namespace
 
 bool BagStream::Later::operator()(const std::unique_ptr<OpenChunk>& a, const std::unique_ptr<OpenChunk>& b) const
 {

@@ -9,12 +9,9 @@
 
 namespace wheel_rail_contact::core
 {
-namespace
-{
 /// Largest distance from the middle of a column over which the third-order expansion of the wheel profile is used [m].
 /// The fourth derivative causes an error of 1e-11 m on arcs of 13 mm.
 constexpr double expansion_reach = 1.5e-4;
-}  // namespace
 
 void ColumnGroup::set(int column, const WheelSections& seen, double parameter, const CurveExpansion& point,
                       double discontinuity_distance)

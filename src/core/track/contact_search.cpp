@@ -9,11 +9,8 @@
 
 namespace wheel_rail_contact::core
 {
-namespace
-{
 constexpr std::size_t most_parts = 16;    ///< of a rail for which memory is taken
 constexpr std::size_t fine_stations = 8;  ///< intervals of fewer stations: their width follows from the curvature
-}  // namespace
 
 /// Adds parameters of equidistant points of a part of a profile, about `spacing` apart, including both ends.
 void ContactSearch::sample(const ParameterRange& part, std::vector<double>& u)

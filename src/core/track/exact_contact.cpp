@@ -9,13 +9,10 @@
 
 namespace wheel_rail_contact::core
 {
-namespace
-{
 constexpr int newton_iterations = 30;
 constexpr double newton_tolerance = 1e-11;   ///< [m]
 constexpr double position_tolerance = 1e-8;  ///< of the position of a contact along the rail profile [m]
 constexpr int most_place_steps = 5;          ///< of Newton's method for this position
-}  // namespace
 
 /// A point and its tangent in the axes of the search.
 PlanePoint ContactSearch::turned(const PlanePoint& point) const

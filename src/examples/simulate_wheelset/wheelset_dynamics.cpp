@@ -9,14 +9,11 @@
 
 namespace simulate_wheelset
 {
-namespace
-{
 constexpr int most_iterations = 20;
 constexpr double tolerance = 1e-6;      ///< of the velocities of y, and of yaw at 1 m, over the running speed
 constexpr double difference = 1e-5;     ///< for the derivatives, of the same velocities
 constexpr double slow = 0.3;            ///< share that is left of a change, from which the derivatives are renewed
 constexpr double half_distance = 0.75;  ///< of the rails [m], for the roll by the line
-}  // namespace
 
 const ContactReply& HeldContact::evaluate(const ContactRequest& request)
 {

@@ -12,13 +12,10 @@
 
 namespace wheel_rail_contact
 {
-namespace
-{
 constexpr std::uint32_t queue_size = 1000;      ///< of the queues of roscpp [messages]
 constexpr std::uint32_t marker_queue_size = 2;  ///< small, because old markers are of no use [messages]
 constexpr double diagnostics_period = 1.0;      ///< [s]
 constexpr double warning_period = 10.0;         ///< shortest time between two warnings [s]
-}  // namespace
 
 ContactServer::ContactServer(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
     : nh_(nh),

@@ -3,10 +3,7 @@
 
 namespace wheel_rail_contact
 {
-namespace
-{
 constexpr double poll_period = 0.002;  ///< [s]
-}  // namespace
 
 EvaluationChain::EvaluationChain(const NodeConfig& config, const tf2::BufferCore& transforms,
                                  const NeighbourForces& neighbours)

@@ -10,12 +10,9 @@
 
 namespace wheel_rail_contact::core
 {
-namespace
-{
 /// Largest correction for curvature discontinuities, as a share of the area. On 4500 gaps with such discontinuities it
 /// was up to 0.09.
 constexpr double most_at_discontinuities = 0.15;
-}  // namespace
 
 void PressureMeasures::measure(const PatchGap& gap, double modulus, PatchPressure& patch)
 {

@@ -7,8 +7,6 @@
 
 namespace wheel_rail_contact::core
 {
-namespace
-{
 /// If the trial point was clipped, a step along the chord that is longer than this share is extended to the whole
 /// chord. The clipped cells then leave the contact at once. The energy decreases for any value above 1/2.
 constexpr double whole_chord = 0.6;
@@ -27,7 +25,6 @@ constexpr int patience = 40;
 /// unclipped direction. Otherwise up to most_attempts shorter ones are tried.
 constexpr double enough_slope = 0.2;
 constexpr int most_attempts = 2;
-}  // namespace
 
 void ContactIteration::begin(const NormalProblem& problem, const CurvedProblem* curved, OperatorCache& cache)
 {
