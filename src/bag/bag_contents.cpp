@@ -2,7 +2,6 @@
 #include "bag/bag_contents.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace wheel_rail_contact

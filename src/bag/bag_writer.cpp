@@ -7,10 +7,7 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <limits>
-#include <map>
 #include <system_error>
-#include <utility>
 
 namespace wheel_rail_contact
 {

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <stdexcept>
 #include <system_error>
-#include <utility>
 
 #include "config/node_config.h"
 #include "core/option_check.h"

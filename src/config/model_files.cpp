@@ -2,7 +2,6 @@
 #include "config/model_files.h"
 
 #include "config/compliance_table_file.h"
-#include "wheel_rail_contact/core/profile_reader.h"
 
 namespace wheel_rail_contact
 {

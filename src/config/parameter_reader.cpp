@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
-#include <optional>
 #include <stdexcept>
 
 #include "core/option_check.h"

@@ -2,7 +2,6 @@
 #include "config/profile_parameters.h"
 
 #include <algorithm>
-#include <array>
 
 #include "core/text/table_title.h"
 

@@ -2,7 +2,6 @@
 #include "wheel_rail_contact/core/config.h"
 
 #include <stdexcept>
-#include <string>
 
 #include "core/option_check.h"
 

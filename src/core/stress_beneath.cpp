@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/stress_beneath.h"
 
-#include <algorithm>
-
 #include "core/balance/patch_result.h"
 
 namespace wheel_rail_contact::core

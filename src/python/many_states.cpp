@@ -5,8 +5,6 @@
 #include <atomic>
 #include <chrono>
 #include <future>
-#include <limits>
-#include <memory>
 #include <system_error>
 
 #include "python/contact_model.h"

@@ -4,14 +4,8 @@
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
-#include <algorithm>
 #include <ctime>
-#include <memory>
-#include <utility>
 
-#include "core/balance/grid_levels.h"
-#include "core/balance/wheelset_balance.h"
-#include "core/normal/estimate/islands.h"
 #include "python/bindings.h"
 #include "python/contact_model.h"
 

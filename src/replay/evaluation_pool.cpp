@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "replay/evaluation_pool.h"
 
-#include <algorithm>
 #include <chrono>
-#include <utility>
 
 #include "replay/bag_messages.h"
 #include "replay/csv_rows.h"

@@ -4,9 +4,7 @@
 #include <ros/package.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <ostream>

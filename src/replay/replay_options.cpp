@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <boost/program_options.hpp>
-#include <functional>
 #include <ostream>
 #include <sstream>
 #include <thread>

@@ -7,8 +7,6 @@
 #include <iomanip>
 #include <set>
 #include <sstream>
-#include <utility>
-#include <vector>
 
 #include <wheel_rail_contact/WheelsetContact.h>
 #include "core/balance/rail_support.h"

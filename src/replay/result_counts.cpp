@@ -3,11 +3,9 @@
 
 #include <ostream>
 
-#include <wheel_rail_contact/WheelsetContact.h>
 #include "bag/bag_stream.h"
 #include "config/text.h"
 #include "replay/bag_messages.h"
-#include "ros/evaluation/result_head.h"
 
 namespace wheel_rail_contact
 {

@@ -2,7 +2,6 @@
 #include "replay/warm_up.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "replay/replay_source.h"
 

@@ -7,7 +7,6 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "ros/evaluation/contact_statistics.h"
-#include "ros/evaluation/result_text.h"
 #include "ros/markers/rail_motion.h"
 #include "ros/markers/scene_colors.h"
 #include "ros/markers/stress_section.h"

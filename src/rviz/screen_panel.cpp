@@ -10,8 +10,6 @@
 #include <QFontMetrics>
 #include <QPainter>
 
-#include <algorithm>
-
 #include "ros/markers/scene_colors.h"
 
 namespace wheel_rail_contact

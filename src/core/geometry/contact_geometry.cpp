@@ -2,11 +2,8 @@
 #include "wheel_rail_contact/core/contact_geometry.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <stdexcept>
-#include <string>
 
 #include "core/balance/rail_support.h"
 #include "core/option_check.h"

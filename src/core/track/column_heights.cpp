@@ -2,7 +2,6 @@
 #include "core/track/column_heights.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "core/simd/wide.h"

@@ -3,9 +3,6 @@
 #include "core/track/contact_search.h"
 
 #include <algorithm>
-#include <cmath>
-
-#include "core/constants.h"
 
 namespace wheel_rail_contact::core
 {

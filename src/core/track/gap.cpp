@@ -2,8 +2,6 @@
 #include "core/track/gap.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "core/constants.h"
 #include "core/normal/measures/pressure_measures.h"

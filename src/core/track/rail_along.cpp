@@ -2,8 +2,6 @@
 #include "core/track/rail_along.h"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 namespace wheel_rail_contact::core
 {

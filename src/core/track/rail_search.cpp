@@ -2,7 +2,6 @@
 #include "core/track/rail_search.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace wheel_rail_contact::core
 {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/track/root_bracket.h"
 
-#include <cmath>
-
 namespace wheel_rail_contact::core
 {
 void RootBracket::add(double x, double value)

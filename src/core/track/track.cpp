@@ -2,13 +2,10 @@
 #include "wheel_rail_contact/core/track.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
-#include <string>
 #include <string_view>
-#include <utility>
 
 #include "core/option_check.h"
 #include "core/profile/curve/monotone_cubic.h"

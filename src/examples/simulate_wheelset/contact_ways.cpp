@@ -13,8 +13,6 @@
 #include <cmath>
 #include <iterator>
 #include <stdexcept>
-#include <utility>
-#include <vector>
 
 #include "wheel_rail_contact/config_file.h"
 

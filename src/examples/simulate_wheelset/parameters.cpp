@@ -9,7 +9,6 @@
 #include <map>
 #include <sstream>
 #include <stdexcept>
-#include <vector>
 
 namespace simulate_wheelset
 {

@@ -2,9 +2,7 @@
 #include "examples/simulate_wheelset/wheelset_dynamics.h"
 
 #include <Eigen/LU>
-#include <cmath>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 namespace simulate_wheelset

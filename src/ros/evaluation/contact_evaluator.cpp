@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/evaluation/contact_evaluator.h"
 
-#include <utility>
-
 #include "config/compliance_table_file.h"
 #include "config/text.h"
 #include "ros/evaluation/conversions.h"

@@ -4,7 +4,6 @@
 #include <tf2/exceptions.h>
 
 #include <Eigen/Geometry>
-#include <cmath>
 
 #include "config/text.h"
 #include "ros/evaluation/conversions.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/evaluation/contact_statistics.h"
 
-#include <algorithm>
 #include <numeric>
 
 #include "ros/evaluation/conversions.h"

@@ -2,10 +2,7 @@
 #include "ros/evaluation/conversions.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
-#include <string>
-#include <string_view>
 
 #include "config/result_fields.h"
 #include "core/option_check.h"

@@ -2,8 +2,6 @@
 #include "ros/evaluation/hold_last.h"
 
 #include <cinttypes>
-#include <memory>
-#include <utility>
 
 #include "config/text.h"
 #include "ros/evaluation/conversions.h"

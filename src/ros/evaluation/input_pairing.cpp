@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/evaluation/input_pairing.h"
 
-#include <algorithm>
 #include <boost/make_shared.hpp>
-#include <optional>
-#include <type_traits>
 
 #include "config/text.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/evaluation/result_text.h"
 
-#include <algorithm>
 #include <sstream>
 
 #include "config/text.h"

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/markers/contact_scene.h"
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-
 #include "ros/evaluation/result_text.h"
 #include "ros/markers/marker_tools.h"
 #include "ros/markers/pressure_scale.h"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/markers/contact_view.h"
 
-#include <cmath>
-
 #include "ros/markers/rail_motion.h"
 
 namespace wheel_rail_contact

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/markers/marker_tools.h"
 
-#include <Eigen/Geometry>
 #include <cmath>
 
 #include "ros/evaluation/conversions.h"

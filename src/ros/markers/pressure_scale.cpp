@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/markers/pressure_scale.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "config/text.h"
 #include "ros/markers/marker_tools.h"
 #include "ros/markers/scene_colors.h"

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/markers/stress_section.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <utility>
-
 #include "config/text.h"
 #include "ros/markers/marker_tools.h"
 #include "ros/markers/scene_colors.h"

@@ -3,10 +3,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 
 #include "core/constants.h"
-#include "core/track/placement.h"
 #include "ros/evaluation/conversions.h"
 #include "ros/markers/marker_tools.h"
 #include "ros/markers/scene_colors.h"

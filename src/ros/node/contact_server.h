@@ -8,7 +8,6 @@
 #include <tf2_ros/transform_listener.h>
 
 #include <mutex>
-#include <optional>
 #include <thread>
 #include <vector>
 

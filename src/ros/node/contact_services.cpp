@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/node/contact_services.h"
 
-#include <algorithm>
 #include <boost/function.hpp>
 #include <boost/make_shared.hpp>
 #include <exception>
-#include <type_traits>
-#include <vector>
 
 #include "ros/evaluation/conversions.h"
 

@@ -5,7 +5,6 @@
 #include <ros/param.h>
 
 #include <filesystem>
-#include <limits>
 #include <locale>
 #include <sstream>
 #include <stdexcept>

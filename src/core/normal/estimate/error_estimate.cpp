@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/normal/estimate/error_estimate.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/constants.h"
 #include "core/normal/measures/cells_around.h"
 #include "core/normal/measures/gap_steps.h"

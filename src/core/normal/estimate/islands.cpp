@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/normal/estimate/islands.h"
 
-#include <algorithm>
-
 namespace wheel_rail_contact::core
 {
 namespace

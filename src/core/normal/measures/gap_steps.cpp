@@ -2,7 +2,6 @@
 #include "core/normal/measures/gap_steps.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace wheel_rail_contact::core
 {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "core/normal/measures/edge_bias.h"
 #include "core/normal/measures/gap_steps.h"

@@ -26,7 +26,6 @@ int depthFor(int half)
   }
   return depth;
 }
-
 }  // namespace
 
 HalfTransform::HalfTransform(int half_cells) : half_(half_cells), depth_(depthFor(half_cells))

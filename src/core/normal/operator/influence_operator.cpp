@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <string>
-#include <vector>
 
 #include "core/constants.h"
 #include "core/normal/operator/half_transform.h"

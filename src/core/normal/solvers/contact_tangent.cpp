@@ -2,7 +2,6 @@
 #include "core/normal/solvers/contact_tangent.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace wheel_rail_contact::core

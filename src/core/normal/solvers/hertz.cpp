@@ -61,7 +61,6 @@ HertzContact fromShape(const GapCurvature& gap, double modulus, double longer, d
   contact.force = 2.0 / 3.0 * contact.max_pressure * contact.area;
   return contact;
 }
-
 }  // namespace
 
 HertzContact hertzForApproach(const GapCurvature& gap, double modulus, double approach)

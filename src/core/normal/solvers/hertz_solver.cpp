@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/normal/solvers/hertz_solver.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/constants.h"
-#include "core/normal/estimate/error_estimate.h"
 #include "core/normal/solvers/patch_fields.h"
 
 namespace wheel_rail_contact::core

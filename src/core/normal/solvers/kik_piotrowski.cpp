@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/normal/solvers/kik_piotrowski.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/constants.h"
-#include "core/normal/estimate/error_estimate.h"
 #include "core/normal/solvers/hertz_solver.h"
 #include "core/normal/solvers/patch_fields.h"
-#include "core/normal/solvers/strip_area.h"
 
 namespace wheel_rail_contact::core
 {

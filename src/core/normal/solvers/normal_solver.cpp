@@ -2,7 +2,6 @@
 #include "wheel_rail_contact/core/normal_solver.h"
 
 #include <stdexcept>
-#include <string>
 
 #include "core/normal/estimate/error_estimate.h"
 #include "core/normal/solvers/conjugate_gradients.h"

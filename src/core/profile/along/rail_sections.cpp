@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wheel_rail_contact/core/profile.h"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>

@@ -2,7 +2,6 @@
 #include "core/profile/files/content.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 #include "core/text/words.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -169,7 +168,6 @@ class MiniProfReader
   bool free_header_ = false;  ///< old file: its header may contain any text
   FileProfile content_;
 };
-
 }  // namespace
 
 FileProfile readMiniProf(TextFile& file, ProfileKind kind)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 #include <string>
@@ -247,7 +246,6 @@ class SimpackReader
   bool spline_ended_ = false;
   FileProfile content_;
 };
-
 }  // namespace
 
 FileProfile readSimpack(TextFile& file, ProfileKind kind)

@@ -2,7 +2,6 @@
 // The way from the content of a file to a profile. Each step follows the ones before it.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "core/profile/files/content.h"

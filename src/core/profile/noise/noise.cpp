@@ -3,10 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstddef>
-#include <optional>
-#include <vector>
 
 namespace wheel_rail_contact::core
 {
