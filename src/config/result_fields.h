@@ -119,8 +119,9 @@ void visitRail(const Visit& visit)
   visit(FIELD_OF(given.lateral, given_lateral, "m", "part of lateral by the line and with the state"));
   visit(FIELD_OF(given.vertical, given_vertical, "m", "part of vertical by the line and with the state"));
   visit(FIELD_OF(given.roll, given_roll, "rad", "part of roll by the line and with the state"));
-  visit(FIELD(lateral_slope, "-", "change of the lateral place along the track, outward positive"));
-  visit(FIELD(vertical_slope, "-", "change of the vertical place along the track, up positive"));
+  visit(FIELD_OF(slope.lateral, lateral_slope, "-", "change of the lateral place along the track, outward positive"));
+  visit(FIELD_OF(slope.vertical, vertical_slope, "-", "change of the vertical place along the track, up positive"));
+  visit(FIELD_OF(slope.roll, roll_slope, "rad/m", "change of the roll along the track"));
 }
 
 #undef FIELD

@@ -25,8 +25,7 @@ bool within(const WheelsetMotion& motion)
 {
   return within(motion.speed, speed_limit) && within(motion.lateral_velocity, speed_limit) &&
          within(motion.yaw_rate, rate_limit) && within(motion.roll_rate, rate_limit) &&
-         within(motion.rotation, rate_limit) &&
-         (std::isnan(motion.vertical_velocity) || within(motion.vertical_velocity, speed_limit));
+         within(motion.rotation, rate_limit) && within(motion.vertical_velocity, speed_limit);
 }
 
 bool within(const RailDeflection& displacement)
@@ -35,7 +34,7 @@ bool within(const RailDeflection& displacement)
          within(displacement.roll, angle_limit);
 }
 
-bool within(const RailVelocity& velocity)
+bool within(const RailRates& velocity)
 {
   return within(velocity.lateral, speed_limit) && within(velocity.vertical, speed_limit) &&
          within(velocity.roll, rate_limit);

@@ -10,7 +10,7 @@
 #include "core/balance/patch_result.h"
 #include "core/balance/wheelset_balance.h"
 #include "core/constants.h"
-#include "core/contact_friction.h"
+#include "core/friction/contact_friction.h"
 #include "core/state_check.h"
 #include "core/stress_beneath.h"
 #include "core/text/formatted.h"
@@ -23,11 +23,6 @@ constexpr double lateral_limit = 0.1;        ///< largest accepted lateral posit
 constexpr double stiffness_residual = 1e-3;  ///< of stiffness(), see ContactTangent
 constexpr double other_roll = 5e-3;          ///< distance of the starts that search for other equilibria [rad]
 constexpr double other_force = 0.05;         ///< difference of the forces of another equilibrium [-]
-constexpr int most_passes = 8;               ///< of balance and friction
-/// Difference of friction and balance after all passes, over the force of a wheel, up to which a result is usable [-]:
-/// friction jumps where patches join.
-constexpr double largest_open_friction = 0.02;
-constexpr double friction_per_tolerance = 0.1;  ///< change by the last pass, over the force of a wheel
 
 /// Places along the line for which a rail is known.
 struct PlaceRange
@@ -68,20 +63,16 @@ class WheelsetContact::Calculation
     result_.yaw = state.yaw;
     result_.z = given ? state.z : config_.wheelset.meanRadius();
     result_.roll = given ? state.roll : 0;
-    if (friction_.acts(state))
-    {
-      solveWithFriction(state);
-    }
-    else
-    {
-      open_friction_ = false;
-      friction_.reset();
-      solveUnder(state);
-    }
+    solve(state);
+    fillResult();
     if (isUsable(result_.status))
     {
-      result_.near_branch = other_ && hasOther(loads_);
-      result_.above_tolerance = result_.above_tolerance || open_friction_;
+      if (friction_.acts(state))
+      {
+        friction_.addTo(balance_, result_);
+      }
+      result_.near_branch = other_ && hasOther(friction_.withFriction(state));
+      result_.above_tolerance = result_.above_tolerance || friction_.isOpen();
       result_.reason = remark(state);
       addImplausibleForces();
     }
@@ -112,10 +103,9 @@ class WheelsetContact::Calculation
   const ContactModelConfig& config() const { return config_; }
 
  private:
-  /// Balance of the normal forces and the results that follow from it.
-  void solveOnce(const WheelsetState& state)
+  /// Fills what follows from the balance.
+  void fillResult()
   {
-    solve(state);
     result_.rail = {};
     result_.wheel = {};
     result_.rail_wrench = Wrench();
@@ -134,63 +124,6 @@ class WheelsetContact::Calculation
       sumForces(Side::right);
     }
     result_.patches.resize(patch_count_);
-  }
-
-  /// Repeats the balance with the friction that follows from it, which begins with that of the last result.
-  void solveWithFriction(const WheelsetState& state)
-  {
-    std::string_view fault;
-    int pass = 0;
-    friction_.begin();
-    do
-    {
-      solveUnder(state);
-      if (!isUsable(result_.status) && friction_.isAssumed())
-      {
-        friction_.reset();
-        friction_.begin();
-        solveUnder(state);
-      }
-      if (!isUsable(result_.status))
-      {
-        friction_.reset();
-        return;
-      }
-      const auto head = [&](Side side) { return balance_.wheel(side).contact().rail().referencePoint(); };
-      fault = friction_.fill(state, {head(Side::left), head(Side::right)}, result_);
-    } while (fault.empty() && friction_.change() > friction_per_tolerance * config_.contact.tolerance &&
-             (++pass < most_passes ||
-              (friction_.change() > largest_open_friction && friction_.returnToBest(largest_open_friction))));
-    open_friction_ = pass >= most_passes;
-    if (!fault.empty() || (open_friction_ && friction_.change() > largest_open_friction))
-    {
-      friction_.reset();
-      result_.status = ContactStatus::not_converged;
-      result_.reason = fault.empty() ? "friction and the balance of the normal forces did not converge" : fault;
-      result_.patches.resize(0);
-      return;
-    }
-    friction_.end();
-  }
-
-  /// Balance under the friction assumed.
-  void solveUnder(const WheelsetState& state)
-  {
-    bearFriction();
-    loads_ = friction_.withFriction(state);
-    solveOnce(loads_);
-  }
-
-  void bearFriction()
-  {
-    for (const Side side : sides)
-    {
-      balance_.wheel(side).setFriction(friction_.onRail(side));
-      if (other_)
-      {
-        other_->wheel(side).setFriction(friction_.onRail(side));
-      }
-    }
   }
 
   void solve(const WheelsetState& state)
@@ -213,8 +146,22 @@ class WheelsetContact::Calculation
       result_.reason = "lateral position is beyond 0.1 m from the track centre";
       return;
     }
-    result_.status = balance_.solve(state);
-    result_.reason = result_.status == ContactStatus::too_deep ? tooDeep(state.z, balance_.depth()) : balance_.reason();
+    if (friction_.acts(state))
+    {
+      result_.status = friction_.solve(state, balance_);
+      result_.reason = friction_.reason();
+    }
+    else
+    {
+      friction_.reset();
+      friction_.bear(balance_);
+      result_.status = balance_.solve(state);
+      result_.reason = balance_.reason();
+    }
+    if (result_.status == ContactStatus::too_deep)
+    {
+      result_.reason = tooDeep(state.z, balance_.depth());
+    }
   }
 
   /// Lateral position of the track centre between the displaced rails, track frame [m].
@@ -253,8 +200,10 @@ class WheelsetContact::Calculation
   }
 
   /// True if another equilibrium is found from a cold start or from a start at another roll.
+  /// @param state  with the friction on the wheels
   bool hasOther(const WheelsetState& state)
   {
+    friction_.bear(*other_);
     for (const double roll : {0.0, balance_.roll() - other_roll, balance_.roll() + other_roll})
     {
       other_->reset(roll);
@@ -283,7 +232,7 @@ class WheelsetContact::Calculation
     {
       return result_.points_missing ? "points of a profile are missing at a contact: its shape is not known there"
              : result_.near_branch  ? "another equilibrium exists: the result depends on the states before"
-             : open_friction_
+             : friction_.isOpen()
                  ? "friction and the balance of the normal forces agree within 2 %, but not within the tolerance"
              : result_.above_tolerance                     ? "the estimated error of a wheel is above contact/tolerance"
              : friction_.isSet() && !friction_.acts(state) ? "no creep forces: the speed is below 0.01 m/s"
@@ -362,8 +311,6 @@ class WheelsetContact::Calculation
   GridLevels levels_;
   WheelsetBalance balance_;
   ContactFriction friction_;
-  WheelsetState loads_;         ///< with the friction of the last balance
-  bool open_friction_ = false;  ///< friction jumps: it differs from that of the balance
   StressBeneath stress_;
   std::optional<WheelsetBalance> other_;  ///< searches for other equilibria
   WheelsetResult result_;

@@ -24,7 +24,7 @@ PATCH_FIELDS = ("method", "contact_angle", "normal_force", "approach", "area", "
                 "residual", "half_space_ratio", "model_error", "vertical_force", "lateral_force", "semi_axis_along",
                 "semi_axis_across", "rolling_radius", "wheel_s", "wheel_angle", "rail_s", "curvature_along", "curvature_across", "normal_stiffness")
 RAIL_FIELDS = ("lateral", "vertical", "roll", "lateral_force", "vertical_force", "moment", "given_lateral", "given_vertical",
-               "given_roll", "lateral_slope", "vertical_slope")
+               "given_roll", "lateral_slope", "vertical_slope", "roll_slope")
 WHEEL_FIELDS = ("vertical_force", "lateral_force", "friction_vertical_force", "friction_lateral_force")
 CREEP_FIELDS = ("creepage_x", "creepage_y", "spin", "force_x", "force_y", "moment", "vertical_force", "lateral_force",
                 "adhesion_share", "power", "error_estimate")

@@ -25,14 +25,14 @@ class Friction(unittest.TestCase):
             self.assertAlmostEqual(creep.creepage_y, -2e-3, delta=1e-5)  # the wheel heads to the left of its way
             self.assertGreater(creep.force_y, 15e3)
             np.testing.assert_allclose([creep.traction_x.sum() * cell, creep.traction_y.sum() * cell],
-                                       [creep.force_x, creep.force_y], rtol=1e-9, atol=1e-3)
+                                       [creep.force_x, creep.force_y], rtol=1e-3)  # columns lie along the curved rail
             np.testing.assert_allclose([creep.lateral_force, creep.vertical_force],
                                        [-outward * creep.force_y * math.cos(patch.pose.roll),
-                                        creep.force_y * math.sin(patch.pose.roll)], rtol=1e-9)
+                                        creep.force_y * math.sin(patch.pose.roll)], atol=1e-3 * creep.force_y)
             self.assertEqual(creep.lateral_force, wheel.friction_lateral_force)  # one patch on each side
             self.assertEqual((patch.lateral_force, patch.vertical_force), (wheel.lateral_force, wheel.vertical_force))
             share = math.hypot(creep.force_x, creep.force_y) / (0.3 * patch.normal_force)
-            np.testing.assert_allclose(creep.adhesion_share, share, rtol=1e-9)
+            np.testing.assert_allclose(creep.adhesion_share, share, rtol=1e-3)
             self.assertGreater(creep.power, -SPEED * creep.creepage_y * creep.force_y * 0.99)
             self.assertRegex(repr(creep), r"^<PatchCreep: [^<>]*>$")
 

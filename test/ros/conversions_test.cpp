@@ -68,8 +68,8 @@ core::WheelsetResult exampleResult()
   result.z = 0.4597;
   result.yaw = 0.02;
   result.roll = -0.001;
-  result.rail.left = {{1e-3, -2e-4, 3e-3}, {4e-4, 5e-5, -6e-4}, 3.5e3, 1e5, -200};
-  result.rail.right = {{-1e-3, 2e-4, -3e-3}, {-7e-4, 8e-5, 9e-4}, -3.5e3, 0, 30};
+  result.rail.left = {{1e-3, -2e-4, 3e-3}, {4e-4, 5e-5, -6e-4}, 3.5e3, 1e5, -200, {1e-3, 2e-3, 3e-3}};
+  result.rail.right = {{-1e-3, 2e-4, -3e-3}, {-7e-4, 8e-5, 9e-4}, -3.5e3, 0, 30, {-1e-3, 5e-3, 0}};
   result.wheel = {core::WheelForces{1e5, 3.5e3}, core::WheelForces{4e4, -2e3}};
   result.rail_wrench = {{0, -1.5e3, 1.4e5}, {4e4, 20, -30}};
   result.implausible_force = true;

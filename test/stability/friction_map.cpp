@@ -38,15 +38,15 @@ FrictionCase rollingWheelset(const std::string& name, double y, double yaw)
   {
     if (patch.normal_force > 0.1 * load)
     {
-      one.contacts.push_back({patch.creep.creepage,
-                              state.motion.speed,
-                              patch.normal_force,
-                              patch.semi_axis_along,
-                              patch.semi_axis_across,
-                              patch.grid,
-                              patch.pressure,
-                              {},
-                              {}});
+      CreepProblem problem;
+      problem.creepage = patch.creep.creepage;
+      problem.speed = state.motion.speed;
+      problem.normal_force = patch.normal_force;
+      problem.semi_axis_along = patch.semi_axis_along;
+      problem.semi_axis_across = patch.semi_axis_across;
+      problem.grid = patch.grid;
+      problem.pressure = patch.pressure;
+      one.contacts.push_back(problem);
     }
   }
   return one;

@@ -3,10 +3,10 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "wheel_rail_contact/core/normal_problem.h"
 #include "wheel_rail_contact/core/sides.h"
@@ -77,8 +77,8 @@ struct ShearElasticity
 ShearElasticity shearElasticity(const Material& first, const Material& second);
 
 /// Coulomb friction, optionally falling with the slip velocity w: mu(w) = mu ((1 - A) exp(-B w) + A) (Polach 2005,
-/// Creep forces in simulations of traction vehicles running on adhesion limit, Wear 258). w is that of the bodies at
-/// the origin of the patch. The paper gives A = 0.4 and B = 0.6 s/m for a dry rail.
+/// Creep forces in simulations of traction vehicles running on adhesion limit, Wear 258). w is that of the bodies in
+/// each column, or at the origin of a plane patch. The paper gives A = 0.4 and B = 0.6 s/m for a dry rail.
 struct FrictionLaw
 {
   double coefficient = 0.3;  ///< mu, at rest [-], 0 to 2
@@ -96,16 +96,21 @@ void validate(const FrictionLaw& law, const std::string& group);
 /// Rolling with slip in one patch, whose pressure is known.
 struct CreepProblem
 {
-  Creepage creepage;  ///< of the wheel relative to the rail
+  Creepage creepage;  ///< of the wheel relative to the rail, at the origin of the patch
+  /// The same for each column of the grid, at its middle (x = 0) and along its own tangent plane, for a patch on a
+  /// curved surface; not used by `linear`. Empty: the patch is plane.
+  std::vector<Creepage> columns;
   /// Running speed [m/s]: the leading edge is at +x if it is positive, at -x if it is negative. Its value determines
   /// only the slip velocity of the friction law.
   double speed = 1;
-  double normal_force = 0;      ///< [N], >= 0
-  double semi_axis_along = 0;   ///< semi-axis a of the ellipse that replaces the patch, along the track [m], > 0
+  double normal_force = 0;  ///< [N], >= 0
+  /// Semi-axis a of the ellipse that replaces the patch, along the track [m], > 0; used only by `linear`, and by the
+  /// error estimate of `fastsim`.
+  double semi_axis_along = 0;
   double semi_axis_across = 0;  ///< semi-axis b [m], > 0
   PatchGrid grid;               ///< cells of the pressure; not used by `linear`
-  /// Pressure of each cell [Pa]; not used by `linear`. The other methods scale it to the normal force. A solver does
-  /// not move cells to the tangent plane: on a curved rail y is along its arc.
+  /// Pressure of each cell [Pa]; not used by `linear`. The other methods scale it to the normal force. Contacts that do
+  /// not touch one another may lie on one grid.
   Eigen::ArrayXXd pressure;
   ShearElasticity elasticity;  ///< of both bodies
   FrictionLaw friction;        ///< of the patch
@@ -142,9 +147,12 @@ struct CreepSolution
 {
   CreepStatus status = CreepStatus::invalid_problem;  ///< whether the solution is usable; check it first
   CreepForce force;                                   ///< of the rail on the wheel
-  double friction = 0;                                ///< coefficient of friction at this slip velocity [-]
-  double adhesion_share = 0;                          ///< resultant of x and y over the friction limit [-]
-  double power = 0;                                   ///< dissipated power [W], >= 0
+  /// Forces of each column on the wheel along its tangent plane, and their moment about its middle (x = 0); empty with
+  /// `linear`. On a curved surface `force` is their sum as if the patch were plane.
+  std::vector<CreepForce> columns;
+  double friction = 0;        ///< coefficient of friction at this slip velocity, the mean of the columns [-]
+  double adhesion_share = 0;  ///< resultant of x and y over the friction limit [-]
+  double power = 0;           ///< dissipated power [W], >= 0
   /// Estimated error of the forces over the friction limit [-], not a bound: of the method and its grid.
   double error_estimate = 0;
   int iterations = 0;  ///< sweeps over all cells; 0 with `linear`, 1 with `fastsim`
@@ -164,8 +172,8 @@ class CreepSolver
   void solve(const CreepProblem& problem, bool warm, CreepSolution& solution);
 
  private:
-  /// Fills force, iterations, error estimate and tractions of a problem with friction limit > 0, whose numbers are
-  /// valid but for grid and pressure. Returns the status.
+  /// Fills columns (or force, if the method has none), iterations, error estimate and tractions of a problem with
+  /// friction limit > 0, whose numbers are valid but for grid and pressure. Returns the status.
   virtual CreepStatus fill(const CreepProblem& problem, bool warm, CreepSolution& solution) = 0;
 };
 
@@ -195,16 +203,17 @@ CreepForce ellipseCreepForce(const CreepEllipse& ellipse, const Creepage& creepa
 /// Motion of a wheelset, track axes.
 struct WheelsetMotion
 {
-  double speed = 0;             ///< V: velocity of the axle centre along the track [m/s]
-  double lateral_velocity = 0;  ///< of the axle centre, to the left [m/s]
-  /// Of the axle centre, up [m/s]. NaN: the wheel follows the rail, as where the height is solved: its particles have
-  /// no velocity along the normal of the patch.
-  double vertical_velocity = std::numeric_limits<double>::quiet_NaN();
-  double yaw_rate = 0;       ///< about z [rad/s]
-  double roll_rate = 0;      ///< about x [rad/s]; see followingRollRate()
-  double rotation = 0;       ///< about the axle [rad/s], positive when it rolls forward
-  double yaw = 0, roll = 0;  ///< rotation of the axle [rad], as in WheelsetResult; not read in a WheelsetState
+  double speed = 0;              ///< V: velocity of the axle centre along the track [m/s]
+  double lateral_velocity = 0;   ///< of the axle centre, to the left [m/s]
+  double vertical_velocity = 0;  ///< of the axle centre, up [m/s]; see followRails()
+  double yaw_rate = 0;           ///< about z [rad/s]
+  double roll_rate = 0;          ///< about x [rad/s]; see followRails()
+  double rotation = 0;           ///< about the axle [rad/s], positive when it rolls forward
+  double yaw = 0, roll = 0;      ///< rotation of the axle [rad], as in WheelsetResult; not read in a WheelsetState
 };
+
+/// Direction of the axle of a wheelset, to the left; track axes.
+Eigen::Vector3d axleDirection(const WheelsetMotion& motion);
 
 /// A contact as seen from the wheelset, track axes.
 struct ContactPlace
@@ -218,6 +227,9 @@ struct ContactPlace
   double rail_velocity_y = 0;
   double rail_velocity_z = 0;  ///< the same, up [m/s]
 };
+
+/// Axes of a patch in track axes, as columns: along the rail, to the left in the tangent plane, out of the rail.
+Eigen::Matrix3d patchAxes(const ContactPlace& place);
 
 /// Creepages of a contact: velocity of the wheel's particles relative to those of the rail, over |V|; the spin is that
 /// of the rotation vector along the normal, over |V|.
@@ -247,8 +259,13 @@ struct CreepConfig
 /// @throw std::invalid_argument with the name of the parameter, its value and the broken rule.
 void validate(const CreepConfig& creep);
 
-/// Roll rate [rad/s] at which both wheels follow their rails: neither of the two contacts opens or closes. The axle
-/// centre moves vertically as required. motion.roll_rate is not used. Zero where the roll hardly moves the wheels
-/// apart, near a contact angle of 1.26 rad of one wheel: the rate is not determined there.
-double followingRollRate(const WheelsetMotion& motion, const ContactPlace& left, const ContactPlace& right);
+/// Velocity of the wheel's particles relative to those of the rail along the normal of a contact [m/s], opening
+/// positive.
+double normalVelocity(const WheelsetMotion& motion, const ContactPlace& place);
+
+/// Sets roll rate and vertical velocity of a wheelset whose wheels follow their rails: neither of the two contacts
+/// opens or closes. A wheelset with one contact is given by the same place twice; its roll rate is then zero. So it is
+/// where the roll hardly moves the wheels apart, near a contact angle of 1.26 rad of one wheel: the rate is not
+/// determined there.
+void followRails(const ContactPlace& left, const ContactPlace& right, WheelsetMotion& motion);
 }  // namespace wheel_rail_contact::core

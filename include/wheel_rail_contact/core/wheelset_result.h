@@ -16,12 +16,12 @@
 
 namespace wheel_rail_contact::core
 {
-/// Velocity of a rail head by its vibration, side axes.
-struct RailVelocity
+/// Change of a RailDeflection in time [m/s], [rad/s], or along the track [-], [rad/m]; side axes.
+struct RailRates
 {
-  double lateral = 0;   ///< of the reference point of RailDeflection [m/s], outward positive
-  double vertical = 0;  ///< of the reference point [m/s], up positive
-  double roll = 0;      ///< rotation of the head [rad/s], positive if the crown moves outward
+  double lateral = 0;   ///< of the reference point, outward positive
+  double vertical = 0;  ///< of the reference point, up positive
+  double roll = 0;      ///< rotation of the head, positive if the crown moves outward
 };
 
 /// Pose and load of a wheelset at one instant: the input of WheelsetContact::evaluate().
@@ -57,10 +57,10 @@ struct WheelsetState
   Sides<RailDeflection> rail_displacement{};
   /// Velocity of the rail of each Side by its vibration, at most 1000 m/s and 10 000 rad/s. Used only with
   /// CreepConfig::method.
-  Sides<RailVelocity> rail_velocity{};
+  Sides<RailRates> rail_velocity{};
   /// Velocities of the axle, at most 1000 m/s and 10 000 rad/s; used only with CreepConfig::method. Below 0.01 m/s
-  /// there are no creep forces. The vertical velocity and the roll rate are used only if height and roll are given, the
-  /// rotation only with Rotation::given.
+  /// there are no creep forces. The vertical velocity and the roll rate are used only if height and roll are given:
+  /// where they are solved, the wheels follow their rails. The rotation is used only with Rotation::given.
   WheelsetMotion motion{};
   double x = 0;         ///< position of the axle centre along the track [m]; not checked, only copied to the result
   double distance = 0;  ///< place of the wheelset on TrackConfig::line and on rails with sections [m]
@@ -98,9 +98,7 @@ struct RailResult
   double lateral_force = 0;
   double vertical_force = 0;  ///< vertical force of the wheel on the rail, down positive [N]
   double moment = 0;  ///< moment of both forces about the reference point of the head, outward roll positive [N m]
-  /// Direction of the rail: change of its lateral place along the track [-], outward positive; by line and sections.
-  double lateral_slope = 0;
-  double vertical_slope = 0;  ///< change of its vertical place along the track [-], up positive
+  RailRates slope;    ///< direction of the rail: change of its given displacement along the track [-], [rad/m]
 };
 
 /// Largest plausible contact force of a wheel: about ten times that of a freight wheel [N].

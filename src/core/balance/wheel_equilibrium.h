@@ -50,7 +50,7 @@ class WheelEquilibrium
     return load > 0 ? search(pose, load, kept) : touchAtRest(pose);
   }
   /// Finds the deflection at a given pose.
-  WheelStatus solveAtPose(const WheelsetPose& pose) { return search(pose, 0, {}); }
+  WheelStatus solveAtPose(const WheelsetPose& pose, const KeptResult& kept) { return search(pose, 0, kept); }
 
   /// Height of the axle centre in the last solution [m].
   double height() const { return height_; }

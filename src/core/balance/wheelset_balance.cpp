@@ -110,7 +110,7 @@ ContactStatus WheelsetBalance::solveOnce(const WheelsetState& state, std::size_t
 {
   const bool given = !config_.wheelset.solve_height_and_roll;
   reason_ = {};
-  search_.begin(placeOnLine(state));
+  search_.begin(placeOnLine(state), false);
   for (const Side side : sides)
   {
     level_[side] = first_level;
@@ -122,6 +122,29 @@ ContactStatus WheelsetBalance::solveOnce(const WheelsetState& state, std::size_t
   {
     status = given ? search_.solveAtGivenHeight() : search_.solve(start);
   } while (isUsable(status) && continues(start));
+  return statusOf(status);
+}
+
+ContactStatus WheelsetBalance::solveOnSameGrids(const WheelsetState& state)
+{
+  const bool given = !config_.wheelset.solve_height_and_roll;
+  reason_ = {};
+  search_.begin(placeOnLine(state), true);
+  const WheelStatus status = given ? search_.solveAtGivenHeight() : search_.solve(WheelsetSearch::Start::near);
+  for (const Side side : sides)
+  {
+    if (isUsable(status))
+    {
+      measure(side);
+    }
+  }
+  return statusOf(status);
+}
+
+/// Status of a result at the end of its search.
+ContactStatus WheelsetBalance::statusOf(WheelStatus status)
+{
+  const bool given = !config_.wheelset.solve_height_and_roll;
   const ContactStatus failed = isUsable(status) ? ContactStatus::ok : fail(status);
   depth_ = given ? depthOfHeight(status) : 0;
   if (depth_ > deepest_height || failed != ContactStatus::ok)
@@ -221,22 +244,28 @@ bool WheelsetBalance::continues(WheelsetSearch::Start& start)
   return refine();
 }
 
+/// Estimates the errors of a wheel that was solved since the last call.
+void WheelsetBalance::measure(Side side)
+{
+  const int solutions = wheel(side).contact().solutions();
+  if (!wheel(side).loaded())
+  {
+    wheel_errors_[side] = 0;
+  }
+  else if (solutions != estimated_[side])
+  {
+    wheel_errors_[side] = estimate(side);
+    estimated_[side] = solutions;
+  }
+}
+
 /// Estimates the errors. Chooses finer grids where they exceed the tolerance. @return true if there are any
 bool WheelsetBalance::refine()
 {
   bool refined = false;
   for (const Side side : sides)
   {
-    const int solutions = wheel(side).contact().solutions();
-    if (!wheel(side).loaded())
-    {
-      wheel_errors_[side] = 0;
-    }
-    else if (solutions != estimated_[side])
-    {
-      wheel_errors_[side] = estimate(side);
-      estimated_[side] = solutions;
-    }
+    measure(side);
     const std::size_t level = levels_.finer(level_[side], wheel_errors_[side]);
     if (level != level_[side])
     {

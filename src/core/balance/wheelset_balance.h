@@ -27,6 +27,10 @@ class WheelsetBalance
   /// the status is not ok, reason() gives the reason.
   ContactStatus solve(const WheelsetState& state);
 
+  /// Solves a state that hardly differs from the last one, which has a usable status, on the same grids: results on
+  /// other grids differ by the errors of both.
+  ContactStatus solveOnSameGrids(const WheelsetState& state);
+
   /// One sentence; empty if the status is ok.
   std::string_view reason() const { return reason_; }
   const ContactModelConfig& config() const { return config_; }
@@ -55,6 +59,7 @@ class WheelsetBalance
 
  private:
   ContactStatus solveOnce(const WheelsetState& state, std::size_t first_level = 0);
+  ContactStatus statusOf(WheelStatus status);
   ContactStatus solveAlongPath(const WheelsetState& state);
   ContactStatus walk(const WheelsetState& state, double way, std::size_t first_level, double share, double& reached);
   WheelsetState placeOnLine(WheelsetState state);
@@ -63,6 +68,7 @@ class WheelsetBalance
   bool renewForeignGrids();
   double depthOfHeight(WheelStatus status);
   double estimate(Side side);
+  void measure(Side side);
   int count() const;
   ContactStatus fail(WheelStatus status);
   ContactStatus discard(ContactStatus status, std::string_view reason);

@@ -45,11 +45,11 @@ void WheelsetSearch::reset(double roll)
   }
 }
 
-void WheelsetSearch::begin(const WheelsetState& state)
+void WheelsetSearch::begin(const WheelsetState& state, bool keeps_grids)
 {
-  const WheelsetState before = state_;
+  const WheelsetState before = std::exchange(state_, state);
   const double tilt = tiltOf(state.rail_displacement, config_.wheelset.halfBase());
-  state_ = state;
+  keeps_grids_ = keeps_grids;
   loads_ = WheelLoads(config_.wheelset, state);
   for (const Side side : sides)
   {
@@ -64,14 +64,13 @@ void WheelsetSearch::begin(const WheelsetState& state)
     place_.roll = state.roll;
     return;
   }
+  z_ = warm ? z_ : config_.wheelset.meanRadius();
+  place_.heights = z_;
   if (warm)
   {
-    place_.heights = z_;
     follow(before);
     return;
   }
-  z_ = config_.wheelset.meanRadius();
-  place_.heights = z_;
   place_.roll = start_roll_ + tilt;
   place_.loads = loads_.given();
 }
@@ -188,7 +187,7 @@ WheelStatus WheelsetSearch::solveWheels(const KeptResult& kept, bool& any)
     }
     const WheelStatus status =
         wheel.solveUnderLoad(toSide(side, {state_.y, place_.heights[side], state_.yaw, place_.roll}),
-                             place_.loads[side], {kept.grids && solved_[side], kept.response});
+                             place_.loads[side], {keeps_grids_ || (kept.grids && solved_[side]), kept.response});
     if (!isUsable(status))
     {
       return status;
@@ -388,7 +387,8 @@ WheelStatus WheelsetSearch::solveAtGivenHeight()
     {
       continue;
     }
-    const WheelStatus status = wheels_[side].solveAtPose(toSide(side, {state_.y, z_, state_.yaw, place_.roll}));
+    const WheelStatus status =
+        wheels_[side].solveAtPose(toSide(side, {state_.y, z_, state_.yaw, place_.roll}), {keeps_grids_, false});
     if (!isUsable(status))
     {
       return status;

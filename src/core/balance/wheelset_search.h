@@ -45,7 +45,8 @@ class WheelsetSearch
   void reset(double roll);
   /// Begins the search for a state: at the last roll and heights, moved as the state has, or cold after reset(). The
   /// wheels must be at their place on the line.
-  void begin(const WheelsetState& state);
+  /// @param keeps_grids  the search begins on the grids of the last one
+  void begin(const WheelsetState& state, bool keeps_grids);
   /// False until the first begin() after a reset().
   bool isWarm() const { return warm_; }
   /// Has a wheel solved again, on other grids.
@@ -112,7 +113,7 @@ class WheelsetSearch
   Sides<WheelEquilibrium> wheels_;
   WheelsetState state_;
   WheelLoads loads_;
-  bool warm_ = false;
+  bool warm_ = false, keeps_grids_ = false;
   double start_roll_ = 0;
   double z_ = 0;
   Place place_;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wheel_rail_contact/core/creep.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 #include <tuple>
 
+#include "core/creep/creep_strips.h"
 #include "core/creep/exact_rolling.h"
 #include "core/creep/simplified_theory.h"
 #include "core/option_check.h"
@@ -37,19 +39,37 @@ bool isPositiveNumber(double value)
   return value > 0 && std::isfinite(value);
 }
 
-bool isValid(const CreepProblem& problem)
+bool isFinite(const Creepage& creepage)
 {
-  const Creepage& c = problem.creepage;
-  return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.spin) && std::isfinite(problem.speed) &&
-         isPositiveNumber(problem.semi_axis_along) && isPositiveNumber(problem.semi_axis_across) &&
-         isPositiveNumber(problem.elasticity.modulus) && problem.elasticity.poisson >= 0 &&
-         problem.elasticity.poisson <= 0.5 && problem.normal_force >= 0 && std::isfinite(problem.normal_force) &&
-         isValid(problem.friction);
+  return std::isfinite(creepage.x) && std::isfinite(creepage.y) && std::isfinite(creepage.spin);
 }
 
-double slipVelocity(const CreepProblem& problem)
+bool isValid(const CreepProblem& problem)
 {
-  return std::abs(problem.speed) * std::hypot(problem.creepage.x, problem.creepage.y);
+  return isFinite(problem.creepage) && std::all_of(problem.columns.begin(), problem.columns.end(), isFinite) &&
+         std::isfinite(problem.speed) && isPositiveNumber(problem.elasticity.modulus) &&
+         problem.elasticity.poisson >= 0 && problem.elasticity.poisson <= 0.5 && problem.normal_force >= 0 &&
+         std::isfinite(problem.normal_force) && isValid(problem.friction);
+}
+
+/// Sets force, mean friction and power, from those of the columns.
+void sumColumns(const CreepProblem& problem, CreepSolution& solution)
+{
+  double limit = 0, work = 0;
+  const double scale = pressureScale(problem) * problem.grid.cellArea();
+  solution.force = {};
+  for (int j = 0; j < problem.grid.ny; ++j)
+  {
+    const CreepForce& force = solution.columns[static_cast<std::size_t>(j)];
+    const Creepage creep = creepageOf(problem, j);
+    solution.force.x += force.x;
+    solution.force.y += force.y;
+    solution.force.moment += force.moment - problem.grid.y(j) * force.x;
+    limit += frictionOf(problem, j) * scale * problem.pressure.col(j).sum();
+    work -= force.x * creep.x + force.y * creep.y + force.moment * creep.spin;
+  }
+  solution.friction = limit / problem.normal_force;
+  solution.power = std::abs(problem.speed) * work;
 }
 
 bool hasFriction(const CreepProblem& problem, double friction)
@@ -132,7 +152,8 @@ void CreepSolver::solve(const CreepProblem& problem, bool warm, CreepSolution& s
   solution.force = {};
   solution.adhesion_share = solution.power = solution.error_estimate = 0;
   solution.iterations = 0;
-  solution.friction = problem.friction.at(slipVelocity(problem));
+  solution.columns.clear();
+  solution.friction = problem.friction.at(slipVelocity(problem.speed, problem.creepage));
   solution.status = CreepStatus::invalid_problem;
   if (!isValid(problem))
   {
@@ -141,13 +162,22 @@ void CreepSolver::solve(const CreepProblem& problem, bool warm, CreepSolution& s
   if (!hasFriction(problem, solution.friction))
   {
     solution.status = CreepStatus::no_slip;
+    solution.traction_x.resize(0, 0);
+    solution.traction_y.resize(0, 0);
     return;
   }
   solution.status = fill(problem, warm, solution);
   const CreepForce& force = solution.force;
+  if (!solution.columns.empty())
+  {
+    sumColumns(problem, solution);
+  }
+  else
+  {
+    const Creepage& creep = problem.creepage;
+    solution.power = -std::abs(problem.speed) * (force.x * creep.x + force.y * creep.y + force.moment * creep.spin);
+  }
   solution.adhesion_share = std::hypot(force.x, force.y) / (solution.friction * problem.normal_force);
-  const Creepage& creep = problem.creepage;
-  solution.power = -std::abs(problem.speed) * (force.x * creep.x + force.y * creep.y + force.moment * creep.spin);
 }
 
 std::unique_ptr<CreepSolver> makeCreepSolver(CreepMethod method)

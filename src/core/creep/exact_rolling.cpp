@@ -34,8 +34,7 @@ CreepStatus ExactRolling::fill(const CreepProblem& problem, bool warm, CreepSolu
   {
     return CreepStatus::invalid_problem;
   }
-  const double limit = solution.friction * problem.normal_force;
-  prepare(problem, limit);
+  prepare(problem);
   if (warm && solution.traction_x.rows() == nx_ && solution.traction_x.cols() == ny_ &&
       solution.traction_y.rows() == nx_ && solution.traction_y.cols() == ny_)
   {
@@ -43,7 +42,7 @@ CreepStatus ExactRolling::fill(const CreepProblem& problem, bool warm, CreepSolu
   }
   else
   {
-    startSimplified(problem);
+    startOnStrips(problem);
   }
   findSlip();
   bool is_converged = false;
@@ -51,7 +50,7 @@ CreepStatus ExactRolling::fill(const CreepProblem& problem, bool warm, CreepSolu
   while (!is_converged && solution.iterations < most_sweeps)
   {
     const SweepSums sums = sweep();
-    change = sums.change * problem.grid.cellArea() / limit;
+    change = sums.change / bound_sum_;
     is_converged = sums.change <= change_tolerance * sums.traction;
     ++solution.iterations;
   }
@@ -62,7 +61,7 @@ CreepStatus ExactRolling::fill(const CreepProblem& problem, bool warm, CreepSolu
   return is_converged ? CreepStatus::converged : CreepStatus::iteration_limit;
 }
 
-void ExactRolling::prepare(const CreepProblem& problem, double limit)
+void ExactRolling::prepare(const CreepProblem& problem)
 {
   const PatchGrid& grid = problem.grid;
   direction_ = directionOf(problem);
@@ -79,28 +78,34 @@ void ExactRolling::prepare(const CreepProblem& problem, double limit)
   }
   step_.resize(line_);
   moved_.resize(line_);
-  const double scale = limit / (problem.pressure.sum() * grid.cellArea());
+  const double scale = pressureScale(problem);
+  friction_.resize(line_);
+  for (int j = 0; j < ny_; ++j)
+  {
+    friction_[j] = scale * frictionOf(problem, gridColumn(j));
+  }
+  bound_sum_ = 0;
   for (int row = 0; row < nx_; ++row)
   {
-    setRow(problem, row, scale);
+    setRow(problem, row);
   }
   widenRanges();
 }
 
-void ExactRolling::setRow(const CreepProblem& problem, int row, double scale)
+void ExactRolling::setRow(const CreepProblem& problem, int row)
 {
   const PatchGrid& grid = problem.grid;
   const double unit = pi * problem.elasticity.modulus * grid.dx / grid.dy;
   const double ahead = direction_ * grid.x(gridRow(row)) + slip_place * grid.dx;
-  const Creepage& creep = problem.creepage;
   LoadedColumns& range = ranges_[static_cast<std::size_t>(row)];
   range = {ny_, 0};
   for (int j = 0; j < ny_; ++j)
   {
     const int at = row * line_ + j;
-    const double y = direction_ * grid.y(gridColumn(j));
-    bound_[at] = scale * problem.pressure(gridRow(row), gridColumn(j));
-    rigid_.x[at] = unit * (direction_ * creep.x - creep.spin * y);
+    const Creepage creep = creepageOf(problem, gridColumn(j));
+    bound_[at] = friction_[j] * problem.pressure(gridRow(row), gridColumn(j));
+    bound_sum_ += bound_[at];
+    rigid_.x[at] = unit * direction_ * creep.x;
     rigid_.y[at] = unit * (direction_ * creep.y + creep.spin * ahead);
     if (bound_[at] > 0)
     {
@@ -124,26 +129,25 @@ void ExactRolling::widenRanges()
   }
 }
 
-void ExactRolling::startSimplified(const CreepProblem& problem)
+void ExactRolling::startOnStrips(const CreepProblem& problem)
 {
-  const Flexibility flex = flexibility(problem);
-  const Creepage& creep = problem.creepage;
-  const PatchGrid& grid = problem.grid;
-  std::fill_n(moved_.x.data(), line_, 0.0);
-  std::fill_n(moved_.y.data(), line_, 0.0);
-  for (int row = 0; row <= nx_; ++row)
+  const std::vector<CreepStrip>& strips = strips_.find(problem);
+  const double step = problem.grid.dy / (pi * problem.elasticity.modulus);  // a cell's length over the unit of slip
+  for (int j = 0; j < ny_; ++j)
   {
-    const double x = direction_ * grid.x(gridRow(row));
-    for (int j = 0; j < ny_; ++j)
+    const CreepStrip& strip = strips[static_cast<std::size_t>(gridColumn(j))];
+    double x = 0, y = 0;
+    for (int row = 0; row <= nx_; ++row)
     {
       const int at = row * line_ + j;
-      const double y = direction_ * grid.y(gridColumn(j)), bound = bound_[at];
-      const double px = moved_.x[j] - (direction_ * creep.x / flex.x - creep.spin * y / flex.spin) * grid.dx;
-      const double py = moved_.y[j] - (direction_ * creep.y / flex.y + creep.spin * x / flex.spin) * grid.dx;
-      const double length = std::sqrt(px * px + py * py);
-      const double factor = length > bound ? bound / length : 1;
-      traction_.x[at] = moved_.x[j] = factor * px;
-      traction_.y[at] = moved_.y[j] = factor * py;
+      if (strip.force > 0)
+      {
+        x -= step * rigid_.x[at] / strip.flexibility.x;
+        y -= step * rigid_.y[at] / strip.flexibility.y;
+      }
+      const double length = std::sqrt(x * x + y * y), factor = length > bound_[at] ? bound_[at] / length : 1;
+      traction_.x[at] = x *= factor;
+      traction_.y[at] = y *= factor;
     }
   }
 }
@@ -255,7 +259,8 @@ void ExactRolling::store(const CreepProblem& problem, CreepSolution& solution) c
   const PatchGrid& grid = problem.grid;
   solution.traction_x.resize(nx_, ny_);
   solution.traction_y.resize(nx_, ny_);
-  CreepForce sum;
+  solution.columns.assign(static_cast<std::size_t>(ny_), {});
+  const double area = grid.cellArea();
   for (int row = 0; row < nx_; ++row)
   {
     const int i = gridRow(row);
@@ -265,12 +270,11 @@ void ExactRolling::store(const CreepProblem& problem, CreepSolution& solution) c
       const double px = direction_ * traction_.x[at], py = direction_ * traction_.y[at];
       solution.traction_x(i, j) = px;
       solution.traction_y(i, j) = py;
-      sum.x += px;
-      sum.y += py;
-      sum.moment += grid.x(i) * py - grid.y(j) * px;
+      CreepForce& sum = solution.columns[static_cast<std::size_t>(j)];
+      sum.x += area * px;
+      sum.y += area * py;
+      sum.moment += area * grid.x(i) * py;
     }
   }
-  const double area = grid.cellArea();
-  solution.force = {area * sum.x, area * sum.y, area * sum.moment};
 }
 }  // namespace wheel_rail_contact::core

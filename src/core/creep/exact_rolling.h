@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/creep/creep_strips.h"
 #include "core/creep/tangential_influence.h"
 #include "wheel_rail_contact/core/creep.h"
 
@@ -37,10 +38,10 @@ class ExactRolling : public CreepSolver
 {
  private:
   CreepStatus fill(const CreepProblem& problem, bool warm, CreepSolution& solution) override;
-  void prepare(const CreepProblem& problem, double limit);
-  void setRow(const CreepProblem& problem, int row, double scale);
+  void prepare(const CreepProblem& problem);
+  void setRow(const CreepProblem& problem, int row);
   void widenRanges();
-  void startSimplified(const CreepProblem& problem);
+  void startOnStrips(const CreepProblem& problem);
   void startFrom(const CreepSolution& solution);
   void findSlip();
   /// Adds the displacements by the steps of a row to the slip.
@@ -59,13 +60,16 @@ class ExactRolling : public CreepSolver
   int gridRow(int row) const { return direction_ > 0 ? nx_ - 1 - row : row; }
   int gridColumn(int column) const { return direction_ > 0 ? column : ny_ - 1 - column; }
 
+  CreepStrips strips_;
   TangentialTables tables_;
   const TangentialTable* table_ = nullptr;
   double direction_ = 1;
   int nx_ = 0, ny_ = 0, line_ = 0;
   /// Of each row and one more: columns with pressure there or in the row ahead.
   std::vector<LoadedColumns> ranges_;
+  LaneBuffer friction_;       ///< of each column: coefficient of friction times the scale of the pressure [-]
   LaneBuffer bound_;          ///< friction limit [Pa]
+  double bound_sum_ = 0;      ///< of all cells [Pa]
   VectorField traction_;      ///< [Pa]
   VectorField rigid_;         ///< rigid slip over one cell, in the unit of A p: times pi G / dy [Pa]
   VectorField slip_;          ///< slip over one cell [Pa]

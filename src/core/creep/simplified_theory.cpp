@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/constants.h"
-
 namespace wheel_rail_contact::core
 {
 namespace
@@ -21,58 +19,33 @@ constexpr double sliding_demand = 3;
 constexpr double fastsim_error = 0.1, fastsim_spin_error = 0.2;
 constexpr double linear_error = 0.1, linear_spin_error = 0.5;
 
-/// Semi-ellipse of pressure along a column.
-struct PressureStrip
-{
-  double force = 0;   ///< sum of the pressures of the cells [Pa]
-  double centre = 0;  ///< x of its centre [m]
-  double half = 0;    ///< half its length [m]
-};
-
-PressureStrip stripOf(const CreepProblem& problem, int column)
-{
-  const PatchGrid& grid = problem.grid;
-  double sum = 0, first = 0, second = 0;
-  for (int i = 0; i < grid.nx; ++i)
-  {
-    const double p = problem.pressure(i, column);
-    sum += p;
-    first += p * i;
-    second += p * i * i;
-  }
-  if (!(sum > 0))
-  {
-    return {};
-  }
-  const double mean = first / sum;
-  // The variance of a semi-ellipse is a quarter of its half length squared; a single cell has that of a uniform load.
-  const double variance = std::max(second / sum - mean * mean, 1.0 / 12);
-  return {sum, grid.x0 + mean * grid.dx, 2 * std::sqrt(variance) * grid.dx};
-}
-
-/// Sums over a patch, of tractions in axes whose x is the direction of travel.
-struct TractionSums
-{
-  double x = 0, y = 0, moment = 0;
-};
-
-/// Growth of the traction per length on the way through the patch, times -1: (x - y_spin * y, y + y_spin * x) at (x,
-/// y).
+/// Growth of the traction per length on the way through a strip, times -1: (x, y + spin * x) at x. The axes are those
+/// of a wheel that rolls forward.
 struct Growth
 {
   double x = 0, y = 0, spin = 0;
 };
 
-/// Adds the tractions of a strip at y. `x` is its centre. `peak` is the top of its bound [Pa].
-void addStrip(const Growth& growth, double x, double y, double half, double peak, TractionSums& sums)
+Growth growthOf(const CreepProblem& problem, int column, const CreepStrip& strip)
 {
-  const double step = 2 * half / strip_steps, rate_x = growth.x - growth.spin * y;
+  const double direction = directionOf(problem);
+  const Creepage creep = creepageOf(problem, column);
+  const Flexibility& flex = strip.flexibility;
+  return {direction * (strip.creepage_x / flex.x + (creep.x - strip.creepage_x) / flex.spin),
+          direction * creep.y / flex.y, creep.spin / flex.spin};
+}
+
+/// Tractions of a strip, summed along it [N/m], and their moment about z at x = 0 [N]. `x` is the centre of the strip,
+/// `peak` the top of its bound [Pa].
+CreepForce forceOf(const Growth& growth, double x, double half, double peak)
+{
+  const double step = 2 * half / strip_steps;
   double px = 0, py = 0, sum_x = 0, sum_y = 0, moment = 0;
   for (int i = 0; i < strip_steps; ++i)
   {
     const double u = 1 - (2 * i + 1.0) / strip_steps;  // from the centre, over the half length
     const double way = i == 0 ? 0.5 * step : step;
-    px -= rate_x * way;
+    px -= growth.x * way;
     py -= (growth.y + growth.spin * (x + half * u + 0.5 * way)) * way;
     const double bound = peak * (1 - u * u), square = px * px + py * py;
     if (square > bound * bound)
@@ -85,9 +58,7 @@ void addStrip(const Growth& growth, double x, double y, double half, double peak
     sum_y += py;
     moment += (x + half * u) * py;
   }
-  sums.x += sum_x * step;
-  sums.y += sum_y * step;
-  sums.moment += (moment - y * sum_x) * step;
+  return {sum_x * step, sum_y * step, moment * step};
 }
 }  // namespace
 
@@ -96,21 +67,13 @@ bool hasPressure(const CreepProblem& problem)
   const PatchGrid& grid = problem.grid;
   const Eigen::ArrayXXd& p = problem.pressure;
   const double origin = grid.x0 + grid.y0;
-  if (grid.nx < 1 || grid.ny < 1 || p.rows() != grid.nx || p.cols() != grid.ny || !std::isfinite(origin))
+  if (grid.nx < 1 || grid.ny < 1 || p.rows() != grid.nx || p.cols() != grid.ny || !std::isfinite(origin) ||
+      (!problem.columns.empty() && problem.columns.size() != static_cast<std::size_t>(grid.ny)))
   {
     return false;
   }
   const double sum = p.sum() * grid.dx * grid.dy;
   return grid.dx > 0 && grid.dy > 0 && sum > 0 && std::isfinite(sum) && (p >= 0).all();
-}
-
-Flexibility flexibility(const CreepProblem& problem)
-{
-  const double a = problem.semi_axis_along, ratio = a / problem.semi_axis_across;
-  const KalkerCoefficients c = kalkerCoefficients(ratio, problem.elasticity.poisson);
-  const double over_modulus = a / problem.elasticity.modulus;
-  return {8 * over_modulus / (3 * c.c11), 8 * over_modulus / (3 * c.c22),
-          pi * over_modulus * std::sqrt(ratio) / (4 * c.c23)};
 }
 
 double reducedSpin(const CreepProblem& problem, double friction)
@@ -123,6 +86,10 @@ double reducedSpin(const CreepProblem& problem, double friction)
 CreepStatus LinearLaw::fill(const CreepProblem& problem, bool /*warm*/, CreepSolution& solution)
 {
   const double a = problem.semi_axis_along, b = problem.semi_axis_across;
+  if (!(a > 0 && b > 0 && std::isfinite(a) && std::isfinite(b)))
+  {
+    return CreepStatus::invalid_problem;
+  }
   const KalkerCoefficients c = kalkerCoefficients(a / b, problem.elasticity.poisson);
   const double square = a * b * problem.elasticity.modulus, length = std::sqrt(a * b);
   const double cross = directionOf(problem) * square * length * c.c23;
@@ -145,24 +112,21 @@ CreepStatus Fastsim::fill(const CreepProblem& problem, bool /*warm*/, CreepSolut
   {
     return CreepStatus::invalid_problem;
   }
-  const PatchGrid& grid = problem.grid;
-  const Flexibility flex = flexibility(problem);
-  const double direction = directionOf(problem);
-  const Growth growth = {direction * problem.creepage.x / flex.x, direction * problem.creepage.y / flex.y,
-                         problem.creepage.spin / flex.spin};
-  const double limit = solution.friction * problem.normal_force;
-  const double scale = limit / (problem.pressure.sum() * grid.cellArea());
-  TractionSums sums;
-  for (int j = 0; j < grid.ny; ++j)
+  const double direction = directionOf(problem), width = problem.grid.dy, scale = pressureScale(problem);
+  const std::vector<CreepStrip>& strips = strips_.find(problem);
+  solution.columns.assign(strips.size(), {});
+  for (int j = 0; j < problem.grid.ny; ++j)
   {
-    const PressureStrip strip = stripOf(problem, j);
+    const CreepStrip& strip = strips[static_cast<std::size_t>(j)];
     if (strip.force > 0)
     {
-      const double peak = peak_over_mean * scale * strip.force * grid.dx / (2 * strip.half);
-      addStrip(growth, direction * strip.centre, direction * grid.y(j), strip.half, peak, sums);
+      const double limit = frictionOf(problem, j) * scale * strip.force * problem.grid.dx;  // [N/m]
+      const double peak = peak_over_mean * limit / (2 * strip.half);
+      const CreepForce force = forceOf(growthOf(problem, j, strip), direction * strip.centre, strip.half, peak);
+      solution.columns[static_cast<std::size_t>(j)] = {direction * width * force.x, direction * width * force.y,
+                                                       width * force.moment};
     }
   }
-  solution.force = {direction * sums.x * grid.dy, direction * sums.y * grid.dy, sums.moment * grid.dy};
   solution.error_estimate = fastsim_error + fastsim_spin_error * std::min(0.5, reducedSpin(problem, solution.friction));
   solution.iterations = 1;
   return CreepStatus::converged;

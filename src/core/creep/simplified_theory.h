@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "core/creep/creep_strips.h"
 #include "wheel_rail_contact/core/creep.h"
 
 namespace wheel_rail_contact::core
@@ -15,15 +16,6 @@ inline double directionOf(const CreepProblem& problem)
 /// True if grid and pressure fit, and the pressure is finite, nowhere negative and not zero everywhere.
 bool hasPressure(const CreepProblem& problem);
 
-/// Compliance of a patch in the simplified theory: displacement over traction [m/Pa], so that its tractions without a
-/// bound have the forces of the linear theory (Kalker 1982; Kalker 1990, section 2.2): 8a / (3 G C11) for x, 8a / (3 G
-/// C22) for y, pi a sqrt(a/b) / (4 G C23) for spin.
-struct Flexibility
-{
-  double x = 0, y = 0, spin = 0;
-};
-Flexibility flexibility(const CreepProblem& problem);
-
 /// Spin over that which just saturates a patch, phi 1.5 c³ G / (mu N) [-]: large above about 1.
 double reducedSpin(const CreepProblem& problem, double friction);
 
@@ -37,10 +29,11 @@ class LinearLaw : public CreepSolver
 };
 
 /// FASTSIM (Kalker 1982) on the columns of the patch: each is a strip whose bound is a parabola along the track with
-/// the normal force of the strip. Length and place of a strip are those of a semi-ellipse of pressure with its first
-/// two moments.
+/// the normal force of the strip. Length, place and compliance of a strip are those of CreepStrips.
 class Fastsim : public CreepSolver
 {
   CreepStatus fill(const CreepProblem& problem, bool warm, CreepSolution& solution) override;
+
+  CreepStrips strips_;
 };
 }  // namespace wheel_rail_contact::core

@@ -60,7 +60,7 @@ class WheelsetContact:
             speed: of the axle centre along the track, forward positive [m/s]; required. Below 0.01 m/s of either sign there
                 are no creep forces
             lateral_velocity: of the axle centre, to the left [m/s]; default: 0
-            vertical_velocity: of the axle centre, up [m/s]; default: the wheel follows the rail. Not used if the height is
+            vertical_velocity: of the axle centre, up [m/s]; default: zero. Not used if the height is
                 solved
             yaw_rate: about z [rad/s]; default: 0
             roll_rate: about x [rad/s]; default: 0. Not used if the roll is solved

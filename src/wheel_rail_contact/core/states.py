@@ -74,7 +74,7 @@ def _velocities(model, twist):
                                    ("rotation", model.requires_rotation, "creep/rotation is topic")):
         if required and name not in given:
             raise TypeError(f"twist: {name} is missing: it is required, because {reason}")
-    return {"vertical_velocity": np.nan, **given}  # not a number: the wheel follows the rail
+    return given
 
 
 def _array(name, value, many):

@@ -194,7 +194,7 @@ TEST(Friction, AWheelsetAlongTurnedRailsRollsAsOnStraightOnes)
   state.motion.lateral_velocity = slope * speed;
   const WheelsetResult& result = turned.evaluate(state);
   ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
-  EXPECT_NEAR(result.rail.right.lateral_slope, -slope, 1e-9);
+  EXPECT_NEAR(result.rail.right.slope.lateral, -slope, 1e-9);
   for (std::size_t i = 0; i < expected.patches.size(); ++i)
   {
     // A yaw moves the contacts along the track by 0.02 mm per mrad on the tread, and the roll follows.
@@ -207,6 +207,21 @@ TEST(Friction, AWheelsetAlongTurnedRailsRollsAsOnStraightOnes)
   WheelsetContact twisted(config);
   const WheelsetResult& rolled = twisted.evaluate(rollingAt(0.003, 0.001));
   EXPECT_NEAR(rolled.patches.front().creep.creepage.y - expected.patches.front().creep.creepage.y, twist * 0.46, 2e-5);
+}
+
+TEST(Friction, SmoothRailsHaveNone)
+{
+  for (const CreepMethod method : {CreepMethod::linear, CreepMethod::fastsim, CreepMethod::exact})
+  {
+    ContactModelConfig config = withFriction(manchesterScene(), method);
+    config.creep.friction = FrictionLaw{0, 1, 0};
+    config.creep.field = method == CreepMethod::exact;
+    WheelsetContact contact(config);
+    const WheelsetResult& result = contact.evaluate(rollingAt(0.003, 0.002));
+    ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
+    EXPECT_EQ(result.wheel.left.friction_lateral, 0);
+    EXPECT_EQ(result.rotation, speed / config.wheelset.meanRadius());
+  }
 }
 
 TEST(Friction, BelowTheLeastSpeedThereIsNone)

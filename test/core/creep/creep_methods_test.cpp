@@ -111,6 +111,22 @@ TEST(CreepForces, WheelThatRollsBackwardIsOneTurnedAroundTheNormal)
   }
 }
 
+TEST(CreepForces, FastsimDoesNotJumpWhereTwoContactsOnAGridJoin)
+{
+  CreepProblem joined = CreepScene().problem({8e-4, 5e-4, 0.2});
+  const CreepForce whole = CreepScene::solve(CreepMethod::fastsim, joined).force;
+  CreepProblem apart = joined;
+  apart.pressure.col(12) = 0;
+  joined.pressure.col(12).setZero();
+  joined.pressure(12, 12) = 1e-4 * joined.pressure.maxCoeff();
+  const CreepForce one = CreepScene::solve(CreepMethod::fastsim, joined).force;
+  const CreepForce two = CreepScene::solve(CreepMethod::fastsim, apart).force;
+  const double tolerance = 5e-3 * CreepScene::friction_limit;  // a column has at least the length of a cell
+  EXPECT_NEAR(one.x, two.x, tolerance);
+  EXPECT_NEAR(one.y, two.y, tolerance);
+  EXPECT_GT(std::abs(whole.x - two.x), 5 * tolerance);
+}
+
 TEST(CreepForces, FrictionNeverDrives)
 {
   const unsigned seed = 20;

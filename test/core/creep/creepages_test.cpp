@@ -68,8 +68,14 @@ TEST(Creepages, LateralCreepageIsTheAngleBetweenWheelAndItsWay)
   const double rolling_speed = motion.rotation * radius * std::sin(motion.yaw);
   // On its way up the wheel's cone, the lateral velocity is longer by 1 / cos(angle).
   const double expected = (motion.lateral_velocity - rolling_speed) / running_speed / std::cos(angle);
-  EXPECT_NEAR(creepages(motion, conicalContact(1)).y, expected, 1e-12);
-  EXPECT_NEAR(creepages(motion, conicalContact(-1)).y, expected, 1e-12);
+  for (const double side : {1.0, -1.0})
+  {
+    ContactPlace place = conicalContact(side);
+    // The normal of the contact passes through the axle, and has no part along x.
+    place.position.x() = -std::tan(motion.yaw) * (place.position.y() + std::tan(place.angle) * place.position.z());
+    followRails(place, place, motion);
+    EXPECT_NEAR(creepages(motion, place).y, expected, 1e-12);
+  }
 }
 
 TEST(Creepages, WheelThatFollowsAnInclinedRailHasNone)
@@ -86,6 +92,7 @@ TEST(Creepages, WheelThatFollowsAnInclinedRailHasNone)
     place.angle = flange;
     place.slope_y = slope;
     place.position = Eigen::AngleAxisd(motion.yaw, Eigen::Vector3d::UnitZ()) * place.position;
+    followRails(place, place, motion);
     const Creepage creep = creepages(motion, place);
     EXPECT_NEAR(creep.x, 0, 1e-12) << flange;
     EXPECT_NEAR(creep.y, 0, 1e-12) << flange;
@@ -97,8 +104,10 @@ TEST(Creepages, RailVelocitySubtracts)
   WheelsetMotion motion = pureRolling();
   ContactPlace place = conicalContact(1);
   place.rail_velocity_y = 0.01;
+  followRails(place, place, motion);
   EXPECT_NEAR(creepages(motion, place).y, -0.01 / running_speed / std::cos(angle), 1e-15);
   motion.lateral_velocity = 0.01;
+  followRails(place, place, motion);
   EXPECT_NEAR(creepages(motion, place).y, 0, 1e-15);
 }
 
@@ -120,13 +129,13 @@ TEST(Creepages, ReversedVehicleHasReversedVelocities)
   EXPECT_EQ(backward.spin, -forward.spin);
 }
 
-TEST(FollowingRollRate, ConeOnTwoRailsRollsAboutTheAxisOfItsNormals)
+TEST(FollowRails, ConeOnTwoRailsRollsAboutTheAxisOfItsNormals)
 {
   // A lateral displacement raises the left wheel and lowers the right one, by tan(angle) each.
   WheelsetMotion motion = pureRolling();
   motion.lateral_velocity = 0.05;
   const ContactPlace left = conicalContact(1), right = conicalContact(-1);
-  motion.roll_rate = followingRollRate(motion, left, right);
+  followRails(left, right, motion);
   EXPECT_NEAR(motion.roll_rate, std::tan(angle) * 0.05 / (half_base - std::tan(angle) * radius), 1e-15);
   // The roll adds its lateral velocity at the rail.
   const double expected = (0.05 + motion.roll_rate * radius) / running_speed / std::cos(angle);
@@ -142,7 +151,6 @@ TEST(Creepages, AreThoseOfTheReferenceCode)
   motion.roll = 1.716539e-4;
   motion.rotation = 43.5;
   motion.lateral_velocity = -0.02;
-  motion.vertical_velocity = 0;
   motion.yaw_rate = 0.02;
   ContactPlace place;
   place.angle = 0.09207;

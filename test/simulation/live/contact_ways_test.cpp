@@ -91,7 +91,7 @@ TEST(ContactWays, WheelsetHuntsInALimitCycleWithTheNode)
 {
   ServiceContact contact("contact_node", "track");
   Parameters parameters;
-  parameters.run.y = 0.0058;
+  parameters.run.yaw = 0.0065;
   parameters.run.duration = 2;
   const RunSummary run = runClosedLoop(parameters, contact, nullptr);
   EXPECT_EQ(run.held, 0);

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/creep/creep_strips.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/constants.h"
+
+namespace wheel_rail_contact::core
+{
+namespace
+{
+CreepStrip stripOf(const CreepProblem& problem, int column)
+{
+  const PatchGrid& grid = problem.grid;
+  double sum = 0, first = 0, second = 0;
+  for (int i = 0; i < grid.nx; ++i)
+  {
+    const double p = problem.pressure(i, column);
+    sum += p;
+    first += p * i;
+    second += p * i * i;
+  }
+  CreepStrip strip;
+  if (sum > 0)
+  {
+    const double mean = first / sum;
+    // The variance of a semi-ellipse is a quarter of its half length squared; a single cell has that of a uniform load.
+    const double variance = std::max(second / sum - mean * mean, 1.0 / 12);
+    strip.force = sum;
+    strip.centre = grid.x0 + mean * grid.dx;
+    strip.half = 2 * std::sqrt(variance) * grid.dx;
+  }
+  return strip;
+}
+}  // namespace
+
+double slipVelocity(double speed, const Creepage& creepage)
+{
+  return std::abs(speed) * std::hypot(creepage.x, creepage.y);
+}
+
+Creepage creepageOf(const CreepProblem& problem, int column)
+{
+  const Creepage& creep = problem.creepage;
+  return problem.columns.empty() ? Creepage{creep.x - creep.spin * problem.grid.y(column), creep.y, creep.spin}
+                                 : problem.columns[static_cast<std::size_t>(column)];
+}
+
+double frictionOf(const CreepProblem& problem, int column)
+{
+  const auto index = static_cast<std::size_t>(column);
+  const Creepage& creepage = problem.columns.empty() ? problem.creepage : problem.columns[index];
+  return problem.friction.at(slipVelocity(problem.speed, creepage));
+}
+
+double pressureScale(const CreepProblem& problem)
+{
+  return problem.normal_force / (problem.pressure.sum() * problem.grid.cellArea());
+}
+
+/// Sums over the strips of an ellipse. Lengths and moments of the strips are those of their ellipses.
+struct CreepStrips::Sums
+{
+  double area = 0, first_x = 0, first_y = 0, second_x = 0, second_y = 0;  ///< [m^2], [m^3], [m^4]
+  double force = 0, creepage = 0;                                         ///< the latter times the force
+};
+
+const std::vector<CreepStrip>& CreepStrips::find(const CreepProblem& problem)
+{
+  strips_.clear();
+  for (int j = 0; j < problem.grid.ny; ++j)
+  {
+    strips_.push_back(stripOf(problem, j));
+  }
+  for (int j = 0; j < problem.grid.ny; ++j)
+  {
+    setEllipse(problem, j);
+  }
+  return strips_;
+}
+
+void CreepStrips::addTo(Sums& sums, const CreepProblem& problem, int column, double weight) const
+{
+  const CreepStrip& strip = strips_[static_cast<std::size_t>(column)];
+  const double width = problem.grid.dy, x = strip.centre, y = problem.grid.y(column);
+  const double area = weight * 2 * strip.half * width, force = weight * strip.force;
+  sums.area += area;
+  sums.first_x += area * x;
+  sums.first_y += area * y;
+  sums.second_x += area * (x * x + strip.half * strip.half / 3);
+  sums.second_y += area * (y * y + width * width / 12);
+  sums.force += force;
+  sums.creepage += force * creepageOf(problem, column).x;
+}
+
+void CreepStrips::setEllipse(const CreepProblem& problem, int column)
+{
+  CreepStrip& strip = strips_[static_cast<std::size_t>(column)];
+  if (!(strip.force > 0))
+  {
+    return;
+  }
+  Sums sums;
+  const auto force = [&](int k) { return strips_[static_cast<std::size_t>(k)].force; };
+  visitConnected(problem.grid.ny, column, force, [&](int k, double weight) { addTo(sums, problem, k, weight); });
+  strip.creepage_x = sums.creepage / sums.force;
+  const double x = sums.first_x / sums.area, y = sums.first_y / sums.area;
+  const double ratio = std::sqrt((sums.second_x / sums.area - x * x) / (sums.second_y / sums.area - y * y));
+  const double over_modulus = std::sqrt(sums.area * ratio / pi) / problem.elasticity.modulus;
+  const KalkerCoefficients c = kalkerCoefficients(ratio, problem.elasticity.poisson);
+  strip.flexibility = {8 * over_modulus / (3 * c.c11), 8 * over_modulus / (3 * c.c22),
+                       pi * over_modulus * std::sqrt(ratio) / (4 * c.c23)};
+}
+}  // namespace wheel_rail_contact::core

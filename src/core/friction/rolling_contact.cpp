@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/friction/rolling_contact.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "core/balance/patch_result.h"
+#include "core/creep/creep_strips.h"
+#include "wheel_rail_contact/core/sides.h"
+
+namespace wheel_rail_contact::core
+{
+using Eigen::Vector3d;
+
+namespace
+{
+/// Overlap of the undeformed bodies in each column of a patch at the height of the solution, side axes [m].
+double overlapOf(const CurvedProblem& problem, const NormalSolution& solution, std::size_t patch, int column)
+{
+  const PatchGap& gap = problem.patches[patch];
+  const bool is_curved = !problem.normals.empty() && problem.normals[patch].weight.size() > 0;
+  const double weight = is_curved ? problem.normals[patch].weight[column] : 1;
+  return solution.approach * gap.weight * weight - gap.gap.col(column).minCoeff();
+}
+
+/// Centre of pressure of a column along the track [m]; 0 without pressure.
+double centreOf(const CreepProblem& problem, int column)
+{
+  double sum = 0, moment = 0;
+  for (int i = 0; i < problem.grid.nx; ++i)
+  {
+    sum += problem.pressure(i, column);
+    moment += problem.pressure(i, column) * problem.grid.x(i);
+  }
+  return sum > 0 ? moment / sum : 0;
+}
+
+Vector3d normalOf(const ContactPlace& place)
+{
+  return {0, -std::sin(place.angle), std::cos(place.angle)};
+}
+}  // namespace
+
+void RollingContact::setMaterial(const ShearElasticity& elasticity, const FrictionLaw& friction)
+{
+  problem_.elasticity = elasticity;
+  problem_.friction = friction;
+}
+
+void RollingContact::place(Side side, const WheelsetBalance& balance, std::size_t grid, const RailRates& slope,
+                           const RailRates& velocity)
+{
+  side_ = side;
+  const WheelContact& contact = balance.wheel(side).contact();
+  const PatchPressure& pressure = contact.solution().patches[grid];
+  const Grid& cells = pressure.grid;
+  const double first = (0.5 - 0.5 * cells.nx) * cells.dx;
+  const double mirrored = -(cells.y0 + (cells.ny - 1) * cells.dy);
+  problem_.grid = {cells.nx, cells.ny, cells.dx, cells.dy, first, side == Side::left ? cells.y0 : mirrored};
+  wholePressure(side, cells, pressure.pressure, problem_.pressure);
+  const SemiAxes ellipse = equalEllipse(pressure);
+  problem_.semi_axis_along = ellipse.along;
+  problem_.semi_axis_across = ellipse.across;
+  placeColumns(balance, grid);
+  setRail(slope, velocity);
+  problem_.normal_force = 0;
+  for (const Column& column : columns_)
+  {
+    problem_.normal_force += column.load;
+  }
+}
+
+void RollingContact::placeColumns(const WheelsetBalance& balance, std::size_t grid)
+{
+  const WheelContact& contact = balance.wheel(side_).contact();
+  const std::vector<SurfaceColumn>& surface = contact.grids().columns()[grid];
+  const double x = contact.grids().originOf(grid).x, sign = sideSign(side_), area = problem_.grid.cellArea();
+  const WheelsetPose axle = balance.pose();
+  const PlanePoint head = contact.rail().referencePoint();
+  head_ = {0, sign * head.y - axle.y, head.z - axle.z};
+  const int count = problem_.grid.ny;
+  const auto side_column = [&](int column) { return side_ == Side::left ? column : count - 1 - column; };
+  columns_.resize(static_cast<std::size_t>(count));
+  for (int j = 0; j < count; ++j)
+  {
+    const SurfaceColumn& at = surface[static_cast<std::size_t>(side_column(j))];
+    Column& column = columns_[static_cast<std::size_t>(j)];
+    column.place = {};
+    column.place.angle = sign * std::atan2(-at.perOutward(), at.perUp());
+    column.on_rail = {x, sign * at.y - axle.y, at.z - axle.z};
+    column.centre_x = centreOf(problem_, j);
+    column.load = area * problem_.pressure.col(j).sum() * std::hypot(at.perOutward(), at.perUp());
+  }
+  const auto load = [&](int j) { return columns_[static_cast<std::size_t>(j)].load; };
+  for (int j = 0; j < count; ++j)
+  {
+    double approach = 0;
+    const auto deepen = [&](int k, double weight)
+    { approach = std::max(approach, weight * overlapOf(contact.problem(), contact.solution(), grid, side_column(k))); };
+    visitConnected(count, j, load, deepen);
+    ContactPlace& place = columns_[static_cast<std::size_t>(j)].place;
+    place.position = columns_[static_cast<std::size_t>(j)].on_rail - approach * normalOf(place);
+  }
+}
+
+/// The columns as one: at the centre of pressure, with the direction of the sum of their normal forces.
+RollingContact::Column RollingContact::meanOf(std::size_t first, std::size_t end) const
+{
+  Column mean;
+  double centre = 0, x = 0;
+  Vector3d force = Vector3d::Zero();
+  for (std::size_t j = first; j < end; ++j)
+  {
+    mean.load += columns_[j].load;
+    centre += columns_[j].load * static_cast<double>(j);
+    x += columns_[j].load * columns_[j].centre_x;
+    force += columns_[j].load * normalOf(columns_[j].place);
+  }
+  if (!(mean.load > 0))
+  {
+    return columns_[first];
+  }
+  centre /= mean.load;
+  const auto before = static_cast<std::size_t>(centre), after = std::min(before + 1, end - 1);
+  const double share = centre - static_cast<double>(before);
+  mean.place = columns_[before].place;
+  mean.place.position += share * (columns_[after].place.position - mean.place.position);
+  mean.on_rail = columns_[before].on_rail + share * (columns_[after].on_rail - columns_[before].on_rail);
+  mean.place.position.x() += x / mean.load;
+  mean.on_rail.x() += x / mean.load;
+  mean.place.angle = std::atan2(-force.y(), force.z());
+  return mean;
+}
+
+std::size_t RollingContact::firstOf(const Island& island) const
+{
+  return static_cast<std::size_t>(side_ == Side::left ? island.begin
+                                                      : problem_.grid.ny - island.begin - island.columns);
+}
+
+void RollingContact::join(const Island& island, const SemiAxes& ellipse)
+{
+  const std::size_t first = firstOf(island);
+  columns_ = {meanOf(first, first + static_cast<std::size_t>(island.columns))};
+  problem_.normal_force = columns_.front().load;
+  problem_.semi_axis_along = ellipse.along;
+  problem_.semi_axis_across = ellipse.across;
+}
+
+void RollingContact::setRail(const RailRates& slope, const RailRates& velocity)
+{
+  const double sign = sideSign(side_);
+  for (Column& column : columns_)
+  {
+    const Vector3d arm = column.on_rail - head_;
+    const auto lateral = [&](const RailRates& rates) { return sign * (rates.lateral + rates.roll * arm.z()); };
+    const auto vertical = [&](const RailRates& rates) { return rates.vertical - sign * rates.roll * arm.y(); };
+    column.place.slope_y = lateral(slope);
+    column.place.slope_z = vertical(slope);
+    column.place.rail_velocity_y = lateral(velocity);
+    column.place.rail_velocity_z = vertical(velocity);
+  }
+}
+
+CreepStatus RollingContact::solve(WheelsetMotion motion, bool follows, CreepSolver& solver)
+{
+  const ContactPlace place = centre();
+  motion.vertical_velocity -= follows ? normalVelocity(motion, place) / patchAxes(place)(2, 2) : 0;
+  motion_ = motion;
+  problem_.speed = motion.speed;
+  problem_.columns.resize(columns_.size());
+  for (std::size_t j = 0; j < columns_.size(); ++j)
+  {
+    problem_.columns[j] = creepages(motion, columns_[j].place);
+  }
+  problem_.creepage = problem_.columns.front();
+  solver.solve(problem_, true, solution_);
+  return solution_.status;
+}
+
+void RollingContact::forget()
+{
+  solution_.traction_x.resize(0, 0);
+  solution_.traction_y.resize(0, 0);
+}
+
+Wrench RollingContact::onWheelset(std::size_t first, std::size_t end) const
+{
+  Wrench sum;
+  for (std::size_t j = first; j < end; ++j)
+  {
+    const Eigen::Matrix3d axes = patchAxes(columns_[j].place);
+    const CreepForce& friction = forceOf(j);
+    const Vector3d force = friction.x * axes.col(0) + friction.y * axes.col(1);
+    sum.force += force;
+    sum.moment += columns_[j].place.position.cross(force) + friction.moment * axes.col(2);
+  }
+  return sum;
+}
+
+Vector3d RollingContact::onRail(bool with_lateral) const
+{
+  const double sign = sideSign(side_);
+  Vector3d sum = Vector3d::Zero();
+  for (std::size_t j = 0; j < columns_.size(); ++j)
+  {
+    const Eigen::Matrix3d axes = patchAxes(columns_[j].place);
+    Vector3d force = -(forceOf(j).x * axes.col(0) + forceOf(j).y * axes.col(1));
+    const Vector3d arm = columns_[j].on_rail - head_;
+    force.y() = with_lateral ? force.y() : 0;
+    sum += Vector3d(sign * force.y(), force.z(), sign * (force.y() * arm.z() - force.z() * arm.y()));
+  }
+  return sum;
+}
+
+void RollingContact::addTo(const Island& island, bool with_field, PatchResult& patch) const
+{
+  const bool is_joined = columns_.size() == 1;
+  const std::size_t first = is_joined ? 0 : firstOf(island);
+  const std::size_t end = is_joined ? 1 : first + static_cast<std::size_t>(island.columns);
+  const Wrench wrench = onWheelset(first, end);
+  const Column mean = meanOf(first, end);
+  const Eigen::Matrix3d axes = patchAxes(mean.place);
+  PatchCreep& creep = patch.creep;
+  creep.creepage = creepages(motion_, mean.place);
+  const Vector3d force = axes.transpose() * wrench.force;
+  creep.force = {force.x(), force.y(), axes.col(2).dot(wrench.moment - mean.place.position.cross(wrench.force))};
+  creep.vertical_force = wrench.force.z();
+  creep.lateral_force = -sideSign(side_) * wrench.force.y();
+  patch.vertical_force += creep.vertical_force;
+  patch.lateral_force += creep.lateral_force;
+  double limit = 0, work = 0;
+  for (std::size_t j = first; j < end; ++j)
+  {
+    const CreepForce& of = forceOf(j);
+    const Creepage& rolling = problem_.columns[j];
+    limit += columns_[j].load * frictionOf(problem_, static_cast<int>(j));
+    work -= of.x * rolling.x + of.y * rolling.y + of.moment * rolling.spin;
+  }
+  creep.adhesion_share = limit > 0 ? std::hypot(creep.force.x, creep.force.y) / limit : 0;
+  creep.power = std::abs(motion_.speed) * work;
+  creep.error_estimate = solution_.error_estimate;
+  if (with_field && solution_.traction_x.cols() == problem_.grid.ny)
+  {
+    const auto begin = static_cast<Eigen::Index>(first);
+    creep.traction_x = solution_.traction_x.middleCols(begin, island.columns);
+    creep.traction_y = solution_.traction_y.middleCols(begin, island.columns);
+  }
+}
+}  // namespace wheel_rail_contact::core

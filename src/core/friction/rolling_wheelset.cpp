@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/friction/rolling_wheelset.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/constants.h"
+#include "core/track/rail_along.h"
+#include "core/track/root_bracket.h"
+#include "wheel_rail_contact/core/sides.h"
+
+namespace wheel_rail_contact::core
+{
+using Eigen::Vector3d;
+
+namespace
+{
+constexpr double half_station = 1e-3;  ///< for the direction of a rail on a line [m]
+constexpr double narrow_range = 1e-4;  ///< of the free rotation about the last one, at first [-]
+/// Accuracy of the free rotation, which is that of the longitudinal creepage [-]. The tractions of `exact` change by
+/// 5e-4 in their last sweep, which is the change by a longitudinal creepage of about 1e-6.
+constexpr double rotation_accuracy = 1e-8, rotation_accuracy_exact = 1e-6;
+
+/// Direction of each rail: the change of its displacement along the track by a line.
+Sides<RailRates> slopesAt(const TrackLine* line, double distance, const WheelsetBalance& balance)
+{
+  if (line == nullptr)
+  {
+    return {};
+  }
+  const auto head = [&](Side side) { return balance.wheel(side).restingRail().referencePoint(); };
+  const double begin = std::max(line->begin(), distance - half_station);
+  const double end = std::min(line->end(), distance + half_station), length = end - begin;
+  const Sides<PlanePoint> heads(head);
+  const Sides<RailDeflection> from = displacementsAt(line->at(begin), heads);
+  const Sides<RailDeflection> to = displacementsAt(line->at(end), heads);
+  const auto slope = [&](Side side)
+  {
+    const RailDeflection &one = from[side], &other = to[side];
+    return RailRates{(other.lateral - one.lateral) / length, (other.vertical - one.vertical) / length,
+                     (other.roll - one.roll) / length};
+  };
+  return Sides<RailRates>(slope);
+}
+}  // namespace
+
+RollingWheelset::RollingWheelset(const ContactModelConfig& config)
+    : config_(config), solver_(makeCreepSolver(config.creep.method)), free_rotation_(1 / config.wheelset.meanRadius())
+{
+  for (const Side side : sides)
+  {
+    elasticity_[side] = config.creep.method != CreepMethod::none
+                            ? shearElasticity(config.wheel_material[side], config.rail_material[side])
+                            : ShearElasticity();
+  }
+}
+
+void RollingWheelset::reset()
+{
+  free_rotation_ = 1 / config_.wheelset.meanRadius();
+  for (RollingContact& contact : contacts_)
+  {
+    contact.forget();
+  }
+}
+
+std::string_view RollingWheelset::solve(const WheelsetState& state, const WheelsetBalance& balance)
+{
+  setContacts(state, balance);
+  setMotion(state, balance.roll());
+  const Vector3d axle = axleDirection(motion_);
+  if (config_.creep.rotation == CreepConfig::Rotation::given)
+  {
+    momentAbout(axle, state.motion.rotation);
+  }
+  else if (!rollFreely(axle))
+  {
+    return "no rotation of the wheelset was found at which friction has no moment about the axle";
+  }
+  const auto failed = [](CreepStatus status) { return !isUsable(status); };
+  const auto first = std::find_if(statuses_.begin(), statuses_.end(), failed);
+  return first == statuses_.end() ? std::string_view() : toString(*first);
+}
+
+void RollingWheelset::setContacts(const WheelsetState& state, const WheelsetBalance& balance)
+{
+  count_ = 0;
+  slopes_ = slopesAt(config_.track.line.get(), state.distance, balance);
+  for (const Side side : sides)
+  {
+    const RailRates &slope = slopes_[side], &velocity = state.rail_velocity[side];
+    const Islands& islands = balance.islands(side);
+    for (std::size_t i = 0; balance.wheel(side).loaded() && i < islands.islands().size(); ++i)
+    {
+      const Island& island = islands.islands()[i];
+      if (config_.creep.method == CreepMethod::linear)
+      {
+        RollingContact& contact = nextContact(side);
+        contact.place(side, balance, island.patch, slope, velocity);
+        contact.join(island, equalEllipse(islands.solution().patches[i]));
+      }
+      else if (i == 0 || island.patch != islands.islands()[i - 1].patch)
+      {
+        nextContact(side).place(side, balance, island.patch, slope, velocity);
+      }
+    }
+  }
+  statuses_.assign(count_, CreepStatus::invalid_problem);
+}
+
+RollingContact& RollingWheelset::nextContact(Side side)
+{
+  contacts_.resize(std::max(contacts_.size(), count_ + 1));
+  RollingContact& contact = contacts_[count_++];
+  contact.setMaterial(elasticity_[side], config_.creep.friction[side]);
+  return contact;
+}
+
+/// Where height and roll are solved, the wheels follow their rails.
+void RollingWheelset::setMotion(const WheelsetState& state, double roll)
+{
+  motion_ = state.motion;
+  motion_.yaw = state.yaw;
+  motion_.roll = roll;
+  if (config_.wheelset.solve_height_and_roll)
+  {
+    const std::size_t left = strongest(Side::left), right = strongest(Side::right);
+    if (count_ > 0)
+    {
+      followRails(contacts_[std::min(left, right)].centre(), contacts_[right < count_ ? right : left].centre(),
+                  motion_);
+    }
+  }
+}
+
+/// The contact of a side with the largest normal force; the number of contacts if there is none.
+std::size_t RollingWheelset::strongest(Side side) const
+{
+  std::size_t most = count_;
+  for (std::size_t k = 0; k < count_; ++k)
+  {
+    const bool is_stronger = most == count_ || contacts_[k].normalForce() > contacts_[most].normalForce();
+    most = contacts_[k].side() == side && is_stronger ? k : most;
+  }
+  return most;
+}
+
+/// Solves all contacts at a rotation [rad/s]. Returns the moment of their forces on the wheelset about the axle [N m].
+double RollingWheelset::momentAbout(const Vector3d& axle, double rotation)
+{
+  motion_.rotation = rotation;
+  double sum = 0;
+  for (std::size_t k = 0; k < count_; ++k)
+  {
+    statuses_[k] = contacts_[k].solve(motion_, config_.wheelset.solve_height_and_roll, *solver_);
+    sum += axle.dot(contacts_[k].onWheelset().moment);
+  }
+  return sum;
+}
+
+/// Solves all contacts at the rotation at which friction has no moment about the axle. The moment falls as the wheelset
+/// turns faster. The range about the last rotation is widened until it contains the root. @return false if none does
+bool RollingWheelset::rollFreely(const Vector3d& axle)
+{
+  const auto moment = [&](double rotation) { return momentAbout(axle, rotation); };
+  const double rolling = std::abs(motion_.speed) / config_.wheelset.meanRadius();
+  const double start = std::clamp(free_rotation_ * motion_.speed, -1.5 * rolling, 1.5 * rolling);
+  if (count_ == 0)
+  {
+    motion_.rotation = motion_.speed / config_.wheelset.meanRadius();
+    return true;
+  }
+  for (double range = narrow_range * rolling; range < 2 * rolling; range *= 10)
+  {
+    const double at_low = moment(start - range), at_high = moment(start + range);
+    if (at_low == 0 && at_high == 0)  // no friction
+    {
+      moment(motion_.speed / config_.wheelset.meanRadius());
+      return true;
+    }
+    if (at_low > 0 && at_high < 0)
+    {
+      const bool is_exact = config_.creep.method == CreepMethod::exact;
+      bracketedRoot(moment, start - range, at_low, start + range, at_high,
+                    (is_exact ? rotation_accuracy_exact : rotation_accuracy) * rolling);
+      free_rotation_ = motion_.rotation / motion_.speed;  // the root is the last place
+      return true;
+    }
+  }
+  return false;
+}
+
+template <typename Quantity, typename Get>
+Quantity RollingWheelset::sumOf(Side side, Quantity sum, const Get& get) const
+{
+  for (std::size_t k = 0; k < count_; ++k)
+  {
+    if (contacts_[k].side() == side)
+    {
+      sum += get(contacts_[k]);
+    }
+  }
+  return sum;
+}
+
+double RollingWheelset::normalForce(Side side) const
+{
+  return sumOf(side, 0.0, [](const RollingContact& contact) { return contact.normalForce(); });
+}
+
+Wrench RollingWheelset::onWheel(Side side) const
+{
+  const Vector3d zero = Vector3d::Zero();
+  return {sumOf(side, zero, [](const RollingContact& contact) { return contact.onWheelset().force; }),
+          sumOf(side, zero, [](const RollingContact& contact) { return contact.onWheelset().moment; })};
+}
+
+Vector3d RollingWheelset::onRail(Side side, bool with_lateral) const
+{
+  const Vector3d zero = Vector3d::Zero();
+  return sumOf(side, zero, [&](const RollingContact& contact) { return contact.onRail(with_lateral); });
+}
+
+void RollingWheelset::addTo(const WheelsetBalance& balance, WheelsetResult& result) const
+{
+  result.speed = motion_.speed;
+  result.rotation = motion_.rotation;
+  std::size_t patch = 0, contact = 0;
+  for (const Side side : sides)
+  {
+    const std::vector<Island>& islands = balance.islands(side).islands();
+    const bool is_joined = config_.creep.method == CreepMethod::linear;
+    WheelForces& wheel = result.wheel[side];
+    result.rail[side].slope = slopes_[side];
+    for (std::size_t i = 0; balance.wheel(side).loaded() && i < islands.size(); ++i)
+    {
+      contact += i > 0 && (is_joined || islands[i].patch != islands[i - 1].patch) ? 1 : 0;
+      PatchResult& of = result.patches[patch++];
+      contacts_[contact].addTo(islands[i], config_.creep.field, of);
+      wheel.vertical += of.creep.vertical_force;
+      wheel.lateral += of.creep.lateral_force;
+      wheel.friction_vertical += of.creep.vertical_force;
+      wheel.friction_lateral += of.creep.lateral_force;
+    }
+    contact += balance.wheel(side).loaded() && !islands.empty() ? 1 : 0;
+    const Wrench friction = onWheel(side);
+    result.rail_wrench.force += friction.force;
+    result.rail_wrench.moment += friction.moment;
+  }
+}
+}  // namespace wheel_rail_contact::core

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "core/friction/rolling_contact.h"
+#include "wheel_rail_contact/core/config.h"
+
+namespace wheel_rail_contact::core
+{
+/// Friction in all contacts of a wheelset whose normal forces are known.
+class RollingWheelset
+{
+ public:
+  /// Keeps a reference to `config`, which must outlive this.
+  explicit RollingWheelset(const ContactModelConfig& config);
+
+  /// The next free rotation is searched from pure rolling.
+  void reset();
+  /// Sets the contacts of a balance and solves them at the given or the free rotation.
+  /// @return reason of a failure; empty if the forces may be used
+  std::string_view solve(const WheelsetState& state, const WheelsetBalance& balance);
+
+  /// Normal force of a wheel [N].
+  double normalForce(Side side) const;
+  /// Friction on a wheel, track axes.
+  Wrench onWheel(Side side) const;
+  /// Friction on a rail along its coordinates, with or without its lateral force, see RollingContact.
+  Eigen::Vector3d onRail(Side side, bool with_lateral) const;
+  /// Adds friction to a result, whose patches have their pose and the forces by the pressure.
+  void addTo(const WheelsetBalance& balance, WheelsetResult& result) const;
+
+ private:
+  void setContacts(const WheelsetState& state, const WheelsetBalance& balance);
+  RollingContact& nextContact(Side side);
+  void setMotion(const WheelsetState& state, double roll);
+  std::size_t strongest(Side side) const;
+  double momentAbout(const Eigen::Vector3d& axle, double rotation);
+  bool rollFreely(const Eigen::Vector3d& axle);
+  /// Sum of a quantity of the contacts of a side.
+  template <typename Quantity, typename Get>
+  Quantity sumOf(Side side, Quantity sum, const Get& get) const;
+
+  const ContactModelConfig& config_;
+  std::unique_ptr<CreepSolver> solver_;
+  Sides<ShearElasticity> elasticity_;
+  WheelsetMotion motion_;
+  Sides<RailRates> slopes_;
+  std::vector<RollingContact> contacts_;  ///< only the first ones are contacts of the balance; left side first
+  std::size_t count_ = 0;
+  std::vector<CreepStatus> statuses_;
+  double free_rotation_;  ///< last one over the speed [1/m]
+};
+}  // namespace wheel_rail_contact::core
