@@ -223,3 +223,34 @@ TEST(SideParameters, MistakesAreRefusedByTheirName)
        "rail_bending/neighbours/distance", "none"},
   });
 }
+
+TEST(Parameters, FrictionOfASideOverridesThatForBoth)
+{
+  const core::CreepConfig creep =
+      read(with("creep: {method: exact, friction: 0.4, slip_share: 0.5, left: {friction: 0.1}, "
+                "right: {slip_decay: 0.6}, rotation: topic, field: true}"))
+          .model.creep;
+  EXPECT_EQ(creep.method, core::CreepMethod::exact);
+  EXPECT_EQ(creep.friction.left.coefficient, 0.1);
+  EXPECT_EQ(creep.friction.right.coefficient, 0.4);
+  EXPECT_EQ(creep.friction.left.slip_share, 0.5);
+  EXPECT_EQ(creep.friction.left.slip_decay, 0);
+  EXPECT_EQ(creep.friction.right.slip_decay, 0.6);
+  EXPECT_EQ(creep.rotation, core::CreepConfig::Rotation::given);
+  EXPECT_TRUE(creep.field);
+}
+
+TEST(Parameters, MistakesInCreepAreRefusedByTheirName)
+{
+  expectRefused({
+      {"creep: {method: kalker}", "creep/method = kalker", "none, linear, fastsim, exact"},
+      {"creep: {friction: 2.1}", "creep/friction = 2.1", "from 0 to 2"},
+      {"creep: {right: {friction: 2.1}}", "creep/right/friction = 2.1", "from 0 to 2"},
+      {"creep: {slip_share: 1.1}", "creep/slip_share = 1.1", "from 0 to 1"},
+      {"creep: {left: {slip_decay: -0.1}}", "creep/left/slip_decay = -0.1", "at least 0"},
+      {"creep: {rotation: pose}", "creep/rotation = pose", "free, topic"},
+      {"creep: {method: fastsim, field: true}", "creep/field = true", "false unless creep/method is exact"},
+      {"{creep: {method: linear}, rail: {profile: {file: 60E1, parts: [{file: 60E1}]}}}", "creep/method = linear",
+       "sections"},
+  });
+}
