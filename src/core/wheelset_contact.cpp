@@ -303,8 +303,7 @@ class WheelsetContact::Calculation
       }
     }
     wrench.moment.x() = sideSign(side) * balance_.wheel(side).moment();
-    result_.rail_wrench.force += wrench.force;
-    result_.rail_wrench.moment += wrench.moment;
+    result_.rail_wrench += wrench;
   }
 
   ContactModelConfig config_;

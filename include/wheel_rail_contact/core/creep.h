@@ -212,8 +212,8 @@ struct WheelsetMotion
   double yaw = 0, roll = 0;      ///< rotation of the axle [rad], as in WheelsetResult; not read in a WheelsetState
 };
 
-/// Direction of the axle of a wheelset, to the left; track axes.
-Eigen::Vector3d axleDirection(const WheelsetMotion& motion);
+/// Direction of the axle of a wheelset with this yaw and roll [rad], to the left; track axes.
+Eigen::Vector3d axleDirection(double yaw, double roll);
 
 /// A contact as seen from the wheelset, track axes.
 struct ContactPlace
@@ -227,6 +227,9 @@ struct ContactPlace
   double rail_velocity_y = 0;
   double rail_velocity_z = 0;  ///< the same, up [m/s]
 };
+
+/// Normal of the section of the rail at a contact, out of the rail; track axes.
+Eigen::Vector3d sectionNormal(const ContactPlace& place);
 
 /// Axes of a patch in track axes, as columns: along the rail, to the left in the tangent plane, out of the rail.
 Eigen::Matrix3d patchAxes(const ContactPlace& place);

@@ -133,6 +133,14 @@ struct Wrench
 {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< [N]
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< about the axle centre [N m]
+
+  /// Adds another one about the same point.
+  Wrench& operator+=(const Wrench& added)
+  {
+    force += added.force;
+    moment += added.moment;
+    return *this;
+  }
 };
 
 /// True if the result may be used: the status is `ok` or `lift_off`.

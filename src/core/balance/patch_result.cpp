@@ -204,10 +204,8 @@ ShapeEffect shapeEffect(Side side, const WheelsetBalance& balance, const Profile
 void placeOnBodies(const ContactModelConfig& config, const WheelsetPose& axle, const PlacedRail& rail,
                    const ProfilePlaces& places, PatchResult& patch)
 {
-  const Eigen::Vector3d along_axle(-std::sin(axle.yaw) * std::cos(axle.roll), std::cos(axle.yaw) * std::cos(axle.roll),
-                                   std::sin(axle.roll));
   const Eigen::Vector3d forward(std::cos(axle.yaw), std::sin(axle.yaw), 0);
-  const Eigen::Vector3d up = forward.cross(along_axle);
+  const Eigen::Vector3d up = forward.cross(axleDirection(axle.yaw, axle.roll));
   const Eigen::Vector3d place(patch.pose.x, patch.pose.y - axle.y, patch.pose.z - axle.z);
   patch.wheel_angle = std::atan2(place.dot(forward), -place.dot(up));
 

@@ -56,7 +56,7 @@ struct CreepStrip
   double creepage_x = 0;    ///< mean longitudinal creepage of its ellipse, weighted with the forces [-]
 };
 
-/// CreepStrips of a patch, each with the ellipse of the strips around it.
+/// Strips of a patch, each with the ellipse of the strips around it.
 ///
 /// The ellipse has the area of the strips, and the ratio of their second moments. Strips count with the weight of
 /// visitConnected(): one where the force has one maximum across the patch, as in an ellipse, and zero beyond a column

@@ -28,7 +28,7 @@ double rollLever(const ContactPlace& place)
 
 Vector3d rotationOf(const WheelsetMotion& motion)
 {
-  return Vector3d(motion.roll_rate, 0, motion.yaw_rate) + motion.rotation * axleDirection(motion);
+  return Vector3d(motion.roll_rate, 0, motion.yaw_rate) + motion.rotation * axleDirection(motion.yaw, motion.roll);
 }
 
 /// Velocity of the wheel's particles relative to those of the rail [m/s].
@@ -39,16 +39,21 @@ Vector3d slipOf(const WheelsetMotion& motion, const ContactPlace& place)
 }
 }  // namespace
 
-Vector3d axleDirection(const WheelsetMotion& motion)
+Vector3d axleDirection(double yaw, double roll)
 {
-  const double level = std::cos(motion.roll);
-  return {-std::sin(motion.yaw) * level, std::cos(motion.yaw) * level, std::sin(motion.roll)};
+  const double level = std::cos(roll);
+  return {-std::sin(yaw) * level, std::cos(yaw) * level, std::sin(roll)};
+}
+
+Vector3d sectionNormal(const ContactPlace& place)
+{
+  return {0, -std::sin(place.angle), std::cos(place.angle)};
 }
 
 Eigen::Matrix3d patchAxes(const ContactPlace& place)
 {
   const Vector3d along = Vector3d(1, place.slope_y, place.slope_z).normalized();
-  const Vector3d section(0, -std::sin(place.angle), std::cos(place.angle));
+  const Vector3d section = sectionNormal(place);
   const Vector3d normal = (section - section.dot(along) * along).normalized();
   return (Eigen::Matrix3d() << along, normal.cross(along), normal).finished();
 }

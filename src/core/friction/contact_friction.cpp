@@ -36,7 +36,7 @@ bool ContactFriction::acts(const WheelsetState& state) const
 
 ContactStatus ContactFriction::solve(const WheelsetState& state, WheelsetBalance& balance)
 {
-  passes_ = 0;
+  has_last_ = false;
   double change = infinity, least = infinity;
   Friction best = Friction::Zero();
   ContactStatus status = ContactStatus::ok;
@@ -91,7 +91,7 @@ ContactStatus ContactFriction::solveAssumed(const WheelsetState& state, Wheelset
     return status;
   }
   reset();
-  passes_ = 0;
+  has_last_ = false;
   bear(balance);
   return balance.solve(state);
 }
@@ -158,7 +158,7 @@ ContactFriction::Friction ContactFriction::extrapolated(const Friction& found)
 {
   const Friction open = found - assumed_;
   const Friction turn = open - std::exchange(open_, open), step = found - std::exchange(found_, found);
-  if (passes_++ == 0)
+  if (!std::exchange(has_last_, true))
   {
     return found;
   }

@@ -58,7 +58,7 @@ class ContactFriction
   Friction assumed_ = Friction::Zero();                          ///< of the balance
   Friction next_ = Friction::Zero();                             ///< of the next balance
   Friction found_ = Friction::Zero(), open_ = Friction::Zero();  ///< of the last pass; difference from the one assumed
-  int passes_ = 0;
+  bool has_last_ = false;                                        ///< found_ and open_ are those of this state
   bool is_open_ = false;
   std::string_view reason_;
 };

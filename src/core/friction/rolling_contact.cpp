@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 namespace
 {
-/// Overlap of the undeformed bodies in each column of a patch at the height of the solution, side axes [m].
+/// Overlap of the undeformed bodies in a column of a patch at the height of the solution, side axes [m].
 double overlapOf(const CurvedProblem& problem, const NormalSolution& solution, std::size_t patch, int column)
 {
   const PatchGap& gap = problem.patches[patch];
@@ -34,11 +34,6 @@ double centreOf(const CreepProblem& problem, int column)
     moment += problem.pressure(i, column) * problem.grid.x(i);
   }
   return sum > 0 ? moment / sum : 0;
-}
-
-Vector3d normalOf(const ContactPlace& place)
-{
-  return {0, -std::sin(place.angle), std::cos(place.angle)};
 }
 }  // namespace
 
@@ -89,6 +84,7 @@ void RollingContact::placeColumns(const WheelsetBalance& balance, std::size_t gr
     column.place = {};
     column.place.angle = sign * std::atan2(-at.perOutward(), at.perUp());
     column.on_rail = {x, sign * at.y - axle.y, at.z - axle.z};
+    column.overlap = overlapOf(contact.problem(), contact.solution(), grid, side_column(j));
     column.centre_x = centreOf(problem_, j);
     column.load = area * problem_.pressure.col(j).sum() * std::hypot(at.perOutward(), at.perUp());
   }
@@ -97,10 +93,10 @@ void RollingContact::placeColumns(const WheelsetBalance& balance, std::size_t gr
   {
     double approach = 0;
     const auto deepen = [&](int k, double weight)
-    { approach = std::max(approach, weight * overlapOf(contact.problem(), contact.solution(), grid, side_column(k))); };
+    { approach = std::max(approach, weight * columns_[static_cast<std::size_t>(k)].overlap); };
     visitConnected(count, j, load, deepen);
     ContactPlace& place = columns_[static_cast<std::size_t>(j)].place;
-    place.position = columns_[static_cast<std::size_t>(j)].on_rail - approach * normalOf(place);
+    place.position = columns_[static_cast<std::size_t>(j)].on_rail - approach * sectionNormal(place);
   }
 }
 
@@ -115,7 +111,7 @@ RollingContact::Column RollingContact::meanOf(std::size_t first, std::size_t end
     mean.load += columns_[j].load;
     centre += columns_[j].load * static_cast<double>(j);
     x += columns_[j].load * columns_[j].centre_x;
-    force += columns_[j].load * normalOf(columns_[j].place);
+    force += columns_[j].load * sectionNormal(columns_[j].place);
   }
   if (!(mean.load > 0))
   {

@@ -51,6 +51,7 @@ class RollingContact
     ContactPlace place;                                 ///< its middle, on the undeformed wheel
     Eigen::Vector3d on_rail = Eigen::Vector3d::Zero();  ///< the same on the rail, from the axle centre [m]
     double load = 0;                                    ///< normal force [N]
+    double overlap = 0;                                 ///< of the undeformed bodies [m]
     double centre_x = 0;                                ///< its centre of pressure, from the middle [m]
   };
 

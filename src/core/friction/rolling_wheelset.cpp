@@ -68,7 +68,7 @@ std::string_view RollingWheelset::solve(const WheelsetState& state, const Wheels
 {
   setContacts(state, balance);
   setMotion(state, balance.roll());
-  const Vector3d axle = axleDirection(motion_);
+  const Vector3d axle = axleDirection(motion_.yaw, motion_.roll);
   if (config_.creep.rotation == CreepConfig::Rotation::given)
   {
     momentAbout(axle, state.motion.rotation);
@@ -85,6 +85,7 @@ std::string_view RollingWheelset::solve(const WheelsetState& state, const Wheels
 void RollingWheelset::setContacts(const WheelsetState& state, const WheelsetBalance& balance)
 {
   count_ = 0;
+  contact_of_.clear();
   slopes_ = slopesAt(config_.track.line.get(), state.distance, balance);
   for (const Side side : sides)
   {
@@ -103,6 +104,7 @@ void RollingWheelset::setContacts(const WheelsetState& state, const WheelsetBala
       {
         nextContact(side).place(side, balance, island.patch, slope, velocity);
       }
+      contact_of_.push_back(count_ - 1);
     }
   }
   statuses_.assign(count_, CreepStatus::invalid_problem);
@@ -210,9 +212,7 @@ double RollingWheelset::normalForce(Side side) const
 
 Wrench RollingWheelset::onWheel(Side side) const
 {
-  const Vector3d zero = Vector3d::Zero();
-  return {sumOf(side, zero, [](const RollingContact& contact) { return contact.onWheelset().force; }),
-          sumOf(side, zero, [](const RollingContact& contact) { return contact.onWheelset().moment; })};
+  return sumOf(side, Wrench(), [](const RollingContact& contact) { return contact.onWheelset(); });
 }
 
 Vector3d RollingWheelset::onRail(Side side, bool with_lateral) const
@@ -225,27 +225,22 @@ void RollingWheelset::addTo(const WheelsetBalance& balance, WheelsetResult& resu
 {
   result.speed = motion_.speed;
   result.rotation = motion_.rotation;
-  std::size_t patch = 0, contact = 0;
+  std::size_t patch = 0;
   for (const Side side : sides)
   {
     const std::vector<Island>& islands = balance.islands(side).islands();
-    const bool is_joined = config_.creep.method == CreepMethod::linear;
     WheelForces& wheel = result.wheel[side];
     result.rail[side].slope = slopes_[side];
-    for (std::size_t i = 0; balance.wheel(side).loaded() && i < islands.size(); ++i)
+    for (std::size_t i = 0; balance.wheel(side).loaded() && i < islands.size(); ++i, ++patch)
     {
-      contact += i > 0 && (is_joined || islands[i].patch != islands[i - 1].patch) ? 1 : 0;
-      PatchResult& of = result.patches[patch++];
-      contacts_[contact].addTo(islands[i], config_.creep.field, of);
+      PatchResult& of = result.patches[patch];
+      contacts_[contact_of_[patch]].addTo(islands[i], config_.creep.field, of);
       wheel.vertical += of.creep.vertical_force;
       wheel.lateral += of.creep.lateral_force;
       wheel.friction_vertical += of.creep.vertical_force;
       wheel.friction_lateral += of.creep.lateral_force;
     }
-    contact += balance.wheel(side).loaded() && !islands.empty() ? 1 : 0;
-    const Wrench friction = onWheel(side);
-    result.rail_wrench.force += friction.force;
-    result.rail_wrench.moment += friction.moment;
+    result.rail_wrench += onWheel(side);
   }
 }
 }  // namespace wheel_rail_contact::core

@@ -51,6 +51,7 @@ class RollingWheelset
   Sides<RailRates> slopes_;
   std::vector<RollingContact> contacts_;  ///< only the first ones are contacts of the balance; left side first
   std::size_t count_ = 0;
+  std::vector<std::size_t> contact_of_;  ///< contact of each patch of the result
   std::vector<CreepStatus> statuses_;
   double free_rotation_;  ///< last one over the speed [1/m]
 };
