@@ -63,7 +63,7 @@ double pressureScale(const CreepProblem& problem)
 struct CreepStrips::Sums
 {
   double area = 0, first_x = 0, first_y = 0, second_x = 0, second_y = 0;  ///< [m^2], [m^3], [m^4]
-  double force = 0, creepage = 0;                                         ///< the latter times the force
+  double force = 0, creepage = 0, moment = 0;                             ///< the latter two times the force, x
 };
 
 const std::vector<CreepStrip>& CreepStrips::find(const CreepProblem& problem)
@@ -92,6 +92,7 @@ void CreepStrips::addTo(Sums& sums, const CreepProblem& problem, int column, dou
   sums.second_y += area * (y * y + width * width / 12);
   sums.force += force;
   sums.creepage += force * creepageOf(problem, column).x;
+  sums.moment += force * x;
 }
 
 void CreepStrips::setEllipse(const CreepProblem& problem, int column)
@@ -105,6 +106,7 @@ void CreepStrips::setEllipse(const CreepProblem& problem, int column)
   const auto force = [&](int k) { return strips_[static_cast<std::size_t>(k)].force; };
   visitConnected(problem.grid.ny, column, force, [&](int k, double weight) { addTo(sums, problem, k, weight); });
   strip.creepage_x = sums.creepage / sums.force;
+  strip.middle = sums.moment / sums.force;
   const double x = sums.first_x / sums.area, y = sums.first_y / sums.area;
   const double ratio = std::sqrt((sums.second_x / sums.area - x * x) / (sums.second_y / sums.area - y * y));
   const double over_modulus = std::sqrt(sums.area * ratio / pi) / problem.elasticity.modulus;

@@ -54,6 +54,7 @@ struct CreepStrip
   double half = 0;          ///< half its length [m]
   Flexibility flexibility;  ///< of its ellipse
   double creepage_x = 0;    ///< mean longitudinal creepage of its ellipse, weighted with the forces [-]
+  double middle = 0;        ///< x of the centre of pressure of its ellipse [m]
 };
 
 /// Strips of a patch, each with the ellipse of the strips around it.

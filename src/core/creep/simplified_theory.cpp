@@ -20,7 +20,8 @@ constexpr double fastsim_error = 0.1, fastsim_spin_error = 0.2;
 constexpr double linear_error = 0.1, linear_spin_error = 0.5;
 
 /// Growth of the traction per length on the way through a strip, times -1: (x, y + spin * x) at x. The axes are those
-/// of a wheel that rolls forward.
+/// of a wheel that rolls forward. The lateral creepage is that at the centre of pressure, about which the wheel spins:
+/// nothing depends on the place of the grid.
 struct Growth
 {
   double x = 0, y = 0, spin = 0;
@@ -31,8 +32,9 @@ Growth growthOf(const CreepProblem& problem, int column, const CreepStrip& strip
   const double direction = directionOf(problem);
   const Creepage creep = creepageOf(problem, column);
   const Flexibility& flex = strip.flexibility;
+  const double lateral = creep.y + creep.spin * strip.middle, spin = creep.spin / flex.spin;
   return {direction * (strip.creepage_x / flex.x + (creep.x - strip.creepage_x) / flex.spin),
-          direction * creep.y / flex.y, creep.spin / flex.spin};
+          direction * (lateral / flex.y - strip.middle * spin), spin};
 }
 
 /// Tractions of a strip, summed along it [N/m], and their moment about z at x = 0 [N]. `x` is the centre of the strip,
