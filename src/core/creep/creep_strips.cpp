@@ -33,6 +33,13 @@ CreepStrip stripOf(const CreepProblem& problem, int column)
   }
   return strip;
 }
+
+/// Loaded share of the width of a strip that has `ratio` of the force of the larger neighbour: at the edge of a patch
+/// the force grows linearly from zero. One from a third on.
+double loadedShare(double ratio)
+{
+  return std::min(1.0, ratio + std::sqrt(ratio * ratio + ratio));
+}
 }  // namespace
 
 double slipVelocity(double speed, const Creepage& creepage)
@@ -80,11 +87,26 @@ const std::vector<CreepStrip>& CreepStrips::find(const CreepProblem& problem)
   return strips_;
 }
 
+/// Zero beside the grid.
+double CreepStrips::forceOf(int column) const
+{
+  const bool exists = column >= 0 && column < static_cast<int>(strips_.size());
+  return exists ? strips_[static_cast<std::size_t>(column)].force : 0;
+}
+
+/// Area of a strip [m^2].
+double CreepStrips::areaOf(const CreepProblem& problem, int column) const
+{
+  const CreepStrip& strip = strips_[static_cast<std::size_t>(column)];
+  const double beside = std::max(forceOf(column - 1), forceOf(column + 1));
+  return 2 * strip.half * problem.grid.dy * (beside > 0 ? loadedShare(strip.force / beside) : 1);
+}
+
 void CreepStrips::addTo(Sums& sums, const CreepProblem& problem, int column, double weight) const
 {
   const CreepStrip& strip = strips_[static_cast<std::size_t>(column)];
   const double width = problem.grid.dy, x = strip.centre, y = problem.grid.y(column);
-  const double area = weight * 2 * strip.half * width, force = weight * strip.force;
+  const double area = weight * areaOf(problem, column), force = weight * strip.force;
   sums.area += area;
   sums.first_x += area * x;
   sums.first_y += area * y;
@@ -103,7 +125,7 @@ void CreepStrips::setEllipse(const CreepProblem& problem, int column)
     return;
   }
   Sums sums;
-  const auto force = [&](int k) { return strips_[static_cast<std::size_t>(k)].force; };
+  const auto force = [&](int k) { return forceOf(k); };
   visitConnected(problem.grid.ny, column, force, [&](int k, double weight) { addTo(sums, problem, k, weight); });
   strip.creepage_x = sums.creepage / sums.force;
   strip.middle = sums.moment / sums.force;

@@ -70,6 +70,8 @@ class CreepStrips
 
  private:
   struct Sums;
+  double forceOf(int column) const;
+  double areaOf(const CreepProblem& problem, int column) const;
   void addTo(Sums& sums, const CreepProblem& problem, int column, double weight) const;
   void setEllipse(const CreepProblem& problem, int column);
 
