@@ -2,9 +2,13 @@
 // Friction in the balance of a wheelset.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 #include "../../manchester_scene.h"
+#include "wheel_rail_contact/core/sides.h"
 
 namespace wheel_rail_contact::core
 {
@@ -96,6 +100,40 @@ TEST(Friction, AFreeWheelsetHasNoMomentAboutItsAxle)
   // The wheels have different rolling radii: their longitudinal forces are opposite and steer the wheelset back.
   EXPECT_LT(result.patches.front().creep.force.x * result.patches.back().creep.force.x, 0);
   EXPECT_LT(result.rail_wrench.moment.z(), 0);
+}
+
+/// Largest change of the lateral force of a wheel from one state of a sweep to the next [N].
+double largestStep(ContactModelConfig config, int states, const std::function<WheelsetState(int)>& at)
+{
+  WheelsetContact contact(withFriction(std::move(config)));
+  Sides<double> before;
+  double largest = 0;
+  for (int k = 0; k < states; ++k)
+  {
+    const WheelsetResult& result = contact.evaluate(at(k));
+    EXPECT_EQ(result.status, ContactStatus::ok) << "state " << k << ": " << result.reason;
+    for (const Side side : sides)
+    {
+      const double change = result.wheel[side].lateral - std::exchange(before[side], result.wheel[side].lateral);
+      largest = std::max(largest, k > 0 ? std::abs(change) : 0);
+    }
+  }
+  return largest;
+}
+
+constexpr double greatest_step = 2e-3 * load;
+
+TEST(Friction, MakesNoStepWherePatchesJoin)
+{
+  // Two patches become three and two again on rigid rails (y = -5.45 and -5.24 mm), and join on pads (-5.04 mm).
+  const auto from = [](double y) { return [y](int k) { return rollingAt(y + 1e-6 * k, 0.002); }; };
+  EXPECT_LT(largestStep(manchesterScene(), 280, from(-5.48e-3)), greatest_step);
+  EXPECT_LT(largestStep(onPads(softPads()), 100, from(-5.09e-3)), greatest_step);
+}
+
+TEST(Friction, MakesNoStepInYawThroughSaturation)
+{
+  EXPECT_LT(largestStep(manchesterScene(), 500, [](int k) { return rollingAt(0, 8e-4 + 5e-6 * k); }), greatest_step);
 }
 
 TEST(Friction, FreeRollingTurnsTheWorkOfTheDragIntoHeat)
