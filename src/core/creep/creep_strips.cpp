@@ -33,13 +33,6 @@ CreepStrip stripOf(const CreepProblem& problem, int column)
   }
   return strip;
 }
-
-/// Loaded share of the width of a strip that has `ratio` of the force of the larger neighbour: at the edge of a patch
-/// the force grows linearly from zero. One from a third on.
-double loadedShare(double ratio)
-{
-  return std::min(1.0, ratio + std::sqrt(ratio * ratio + ratio));
-}
 }  // namespace
 
 double slipVelocity(double speed, const Creepage& creepage)
@@ -71,15 +64,36 @@ struct CreepStrips::Sums
 {
   double area = 0, first_x = 0, first_y = 0, second_x = 0, second_y = 0;  ///< [m^2], [m^3], [m^4]
   double force = 0, creepage = 0, moment = 0;                             ///< the latter two times the force, x
+
+  Ellipse ellipse() const
+  {
+    const double x = first_x / area, y = first_y / area;
+    return {area, std::sqrt((second_x / area - x * x) / (second_y / area - y * y))};
+  }
 };
 
-const std::vector<CreepStrip>& CreepStrips::find(const CreepProblem& problem)
+void CreepStrips::measure(const CreepProblem& problem)
 {
   strips_.clear();
   for (int j = 0; j < problem.grid.ny; ++j)
   {
     strips_.push_back(stripOf(problem, j));
   }
+}
+
+CreepStrips::Ellipse CreepStrips::ellipseOf(const CreepProblem& problem, double first, double end) const
+{
+  Sums sums;
+  for (int j = static_cast<int>(first); j < end; ++j)
+  {
+    addTo(sums, problem, j, std::min(end, j + 1.0) - std::max(first, double(j)));
+  }
+  return sums.ellipse();
+}
+
+const std::vector<CreepStrip>& CreepStrips::find(const CreepProblem& problem)
+{
+  measure(problem);
   for (int j = 0; j < problem.grid.ny; ++j)
   {
     setEllipse(problem, j);
@@ -94,12 +108,14 @@ double CreepStrips::forceOf(int column) const
   return exists ? strips_[static_cast<std::size_t>(column)].force : 0;
 }
 
-/// Area of a strip [m^2].
+/// Area of a strip [m^2]. At the edge of a patch, where the force grows linearly from zero, only a share of the width
+/// is loaded. It follows from the force of the strip beside it, and is one from a third of it on.
 double CreepStrips::areaOf(const CreepProblem& problem, int column) const
 {
-  const CreepStrip& strip = strips_[static_cast<std::size_t>(column)];
   const double beside = std::max(forceOf(column - 1), forceOf(column + 1));
-  return 2 * strip.half * problem.grid.dy * (beside > 0 ? loadedShare(strip.force / beside) : 1);
+  const double ratio = beside > 0 ? forceOf(column) / beside : 1;
+  const double share = std::min(1.0, ratio + std::sqrt(ratio * ratio + ratio));
+  return 2 * strips_[static_cast<std::size_t>(column)].half * share * problem.grid.dy;
 }
 
 void CreepStrips::addTo(Sums& sums, const CreepProblem& problem, int column, double weight) const
@@ -129,9 +145,8 @@ void CreepStrips::setEllipse(const CreepProblem& problem, int column)
   visitConnected(problem.grid.ny, column, force, [&](int k, double weight) { addTo(sums, problem, k, weight); });
   strip.creepage_x = sums.creepage / sums.force;
   strip.middle = sums.moment / sums.force;
-  const double x = sums.first_x / sums.area, y = sums.first_y / sums.area;
-  const double ratio = std::sqrt((sums.second_x / sums.area - x * x) / (sums.second_y / sums.area - y * y));
-  const double over_modulus = std::sqrt(sums.area * ratio / pi) / problem.elasticity.modulus;
+  const auto [area, ratio] = sums.ellipse();
+  const double over_modulus = std::sqrt(area * ratio / pi) / problem.elasticity.modulus;
   const KalkerCoefficients c = kalkerCoefficients(ratio, problem.elasticity.poisson);
   strip.flexibility = {8 * over_modulus / (3 * c.c11), 8 * over_modulus / (3 * c.c22),
                        pi * over_modulus * std::sqrt(ratio) / (4 * c.c23)};

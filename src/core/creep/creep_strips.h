@@ -65,8 +65,18 @@ struct CreepStrip
 class CreepStrips
 {
  public:
+  /// Area [m^2] of an ellipse, and the ratio of its semi-axes, along over across.
+  struct Ellipse
+  {
+    double area = 0, ratio = 0;
+  };
+
   /// Finds the strips of a valid pressure. Allocates no memory for numbers of columns that it has had before.
   const std::vector<CreepStrip>& find(const CreepProblem& problem);
+  /// Finds forces and lengths of the strips only.
+  void measure(const CreepProblem& problem);
+  /// Ellipse of measured strips from one to another, which may lie in a strip: a share of it counts.
+  Ellipse ellipseOf(const CreepProblem& problem, double first, double end) const;
 
  private:
   struct Sums;

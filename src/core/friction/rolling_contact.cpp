@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/balance/patch_result.h"
-#include "core/creep/creep_strips.h"
+#include "core/constants.h"
 #include "wheel_rail_contact/core/sides.h"
 
 namespace wheel_rail_contact::core
@@ -64,6 +64,8 @@ void RollingContact::place(Side side, const WheelsetBalance& balance, std::size_
   {
     problem_.normal_force += column.load;
   }
+  whole_ = meanOf(0, static_cast<double>(columns_.size()));
+  is_joined_ = false;
 }
 
 void RollingContact::placeColumns(const WheelsetBalance& balance, std::size_t grid)
@@ -100,25 +102,29 @@ void RollingContact::placeColumns(const WheelsetBalance& balance, std::size_t gr
   }
 }
 
-/// The columns as one: at the centre of pressure, with the direction of the sum of their normal forces.
-RollingContact::Column RollingContact::meanOf(std::size_t first, std::size_t end) const
+/// Columns from one to another as one: at the centre of pressure, with the direction of the sum of their normal forces.
+/// @param first, end  may lie in a column: a share of it counts
+RollingContact::Column RollingContact::meanOf(double first, double end) const
 {
   Column mean;
   double centre = 0, x = 0;
   Vector3d force = Vector3d::Zero();
-  for (std::size_t j = first; j < end; ++j)
+  for (auto j = static_cast<std::size_t>(first); static_cast<double>(j) < end; ++j)
   {
-    mean.load += columns_[j].load;
-    centre += columns_[j].load * static_cast<double>(j);
-    x += columns_[j].load * columns_[j].centre_x;
-    force += columns_[j].load * sectionNormal(columns_[j].place);
+    const Column& column = columns_[j];
+    const double from = std::max(first, static_cast<double>(j)), to = std::min(end, static_cast<double>(j + 1));
+    const double load = (to - from) * column.load;
+    mean.load += load;
+    centre += load * (0.5 * (from + to) - 0.5);
+    x += load * column.centre_x;
+    force += load * sectionNormal(column.place);
   }
   if (!(mean.load > 0))
   {
-    return columns_[first];
+    return columns_[static_cast<std::size_t>(first)];
   }
-  centre /= mean.load;
-  const auto before = static_cast<std::size_t>(centre), after = std::min(before + 1, end - 1);
+  centre = std::max(0.0, centre / mean.load);
+  const auto before = static_cast<std::size_t>(centre), after = std::min(before + 1, columns_.size() - 1);
   const double share = centre - static_cast<double>(before);
   mean.place = columns_[before].place;
   mean.place.position += share * (columns_[after].place.position - mean.place.position);
@@ -129,19 +135,90 @@ RollingContact::Column RollingContact::meanOf(std::size_t first, std::size_t end
   return mean;
 }
 
-std::size_t RollingContact::firstOf(const Island& island) const
+/// Index of a column of the side, or of the first ellipse from there on.
+std::size_t RollingContact::indexOf(Eigen::Index side_column) const
 {
-  return static_cast<std::size_t>(side_ == Side::left ? island.begin
-                                                      : problem_.grid.ny - island.begin - island.columns);
+  const auto column = static_cast<std::size_t>(side_column);
+  const auto is_before = [&](const Column& ellipse) { return ellipse.highest < column; };
+  return is_joined_ ? static_cast<std::size_t>(std::count_if(columns_.begin(), columns_.end(), is_before)) : column;
 }
 
-void RollingContact::join(const Island& island, const SemiAxes& ellipse)
+void RollingContact::join()
 {
-  const std::size_t first = firstOf(island);
-  columns_ = {meanOf(first, first + static_cast<std::size_t>(island.columns))};
-  problem_.normal_force = columns_.front().load;
-  problem_.semi_axis_along = ellipse.along;
-  problem_.semi_axis_across = ellipse.across;
+  ellipses_.clear();
+  strips_.measure(problem_);
+  const auto end = static_cast<double>(columns_.size());
+  const CreepStrips::Ellipse strips = strips_.ellipseOf(problem_, 0, end);
+  const double a = problem_.semi_axis_along, b = problem_.semi_axis_across;
+  addEllipses(0, end, 1, {pi * a * b / strips.area, a / (b * strips.ratio)});
+  columns_.swap(ellipses_);
+  is_joined_ = true;
+}
+
+/// Adds the ellipses of columns from one to another, which may lie in a column.
+/// @param per_strips  area and ratio of the whole ellipse over those of its strips
+void RollingContact::addEllipses(double first, double end, double weight, const CreepStrips::Ellipse& per_strips)
+{
+  const auto load = [&](std::size_t j) { return columns_[j].load; };
+  const auto begin = static_cast<std::size_t>(first), last = static_cast<std::size_t>(std::ceil(end)) - 1;
+  std::size_t highest = begin;
+  for (std::size_t j = begin; j <= last; ++j)
+  {
+    highest = load(j) > load(highest) ? j : highest;
+  }
+  double least = 1, cut = end;
+  const auto find_least = [&](std::size_t j, std::size_t step)  // up to the highest one
+  {
+    for (double most = 0; j != highest; most = std::max(most, load(j)), j += step)
+    {
+      if (load(j) < least * most)
+      {
+        least = load(j) / most;
+        const double bend = load(j - 1) - 2 * load(j) + load(j + 1);  // the cut is at the vertex of the parabola
+        const double vertex = bend > 0 ? 0.5 * (load(j - 1) - load(j + 1)) / bend : 0;
+        cut = static_cast<double>(j) + 0.5 + std::clamp(vertex, -0.5, 0.5);
+      }
+    }
+  };
+  find_least(begin, 1);
+  find_least(last, std::size_t(-1));
+  if (least > 0)
+  {
+    const CreepStrips::Ellipse strips = strips_.ellipseOf(problem_, first, end);
+    const double square = per_strips.area * strips.area / pi, ratio = per_strips.ratio * strips.ratio;
+    Column& ellipse = ellipses_.emplace_back(meanOf(first, end));
+    ellipse.highest = highest;
+    ellipse.weight = weight * least;
+    ellipse.semi_axis_along = std::sqrt(square * ratio);
+    ellipse.semi_axis_across = std::sqrt(square / ratio);
+  }
+  if (cut < end)
+  {
+    addEllipses(first, cut, weight * (1 - least), per_strips);
+    addEllipses(cut, end, weight * (1 - least), per_strips);
+  }
+}
+
+/// Returns the first status that is not usable, or the last one.
+CreepStatus RollingContact::solveEllipses(CreepSolver& solver)
+{
+  CreepStatus status = CreepStatus::converged;
+  double error = 0;
+  for (std::size_t k = 0; k < columns_.size() && isUsable(status); ++k)
+  {
+    Column& ellipse = columns_[k];
+    problem_.creepage = problem_.columns[k];
+    problem_.normal_force = ellipse.load;
+    problem_.semi_axis_along = ellipse.semi_axis_along;
+    problem_.semi_axis_across = ellipse.semi_axis_across;
+    solver.solve(problem_, true, solution_);
+    const CreepForce& force = solution_.force;
+    ellipse.force = {ellipse.weight * force.x, ellipse.weight * force.y, ellipse.weight * force.moment};
+    error = std::max(error, solution_.error_estimate);
+    status = solution_.status;
+  }
+  solution_.error_estimate = error;
+  return status;
 }
 
 void RollingContact::setRail(const RailRates& slope, const RailRates& velocity)
@@ -169,6 +246,10 @@ CreepStatus RollingContact::solve(WheelsetMotion motion, bool follows, CreepSolv
   for (std::size_t j = 0; j < columns_.size(); ++j)
   {
     problem_.columns[j] = creepages(motion, columns_[j].place);
+  }
+  if (is_joined_)
+  {
+    return solveEllipses(solver);
   }
   problem_.creepage = problem_.columns.front();
   solver.solve(problem_, true, solution_);
@@ -212,11 +293,10 @@ Vector3d RollingContact::onRail(bool with_lateral) const
 
 void RollingContact::addTo(const Island& island, bool with_field, PatchResult& patch) const
 {
-  const bool is_joined = columns_.size() == 1;
-  const std::size_t first = is_joined ? 0 : firstOf(island);
-  const std::size_t end = is_joined ? 1 : first + static_cast<std::size_t>(island.columns);
+  const Eigen::Index begin = side_ == Side::left ? island.begin : problem_.grid.ny - island.begin - island.columns;
+  const std::size_t first = indexOf(begin), end = indexOf(begin + island.columns);
   const Wrench wrench = onWheelset(first, end);
-  const Column mean = meanOf(first, end);
+  const Column mean = is_joined_ ? columns_[first] : meanOf(static_cast<double>(first), static_cast<double>(end));
   const Eigen::Matrix3d axes = patchAxes(mean.place);
   PatchCreep& creep = patch.creep;
   creep.creepage = creepages(motion_, mean.place);
@@ -231,7 +311,7 @@ void RollingContact::addTo(const Island& island, bool with_field, PatchResult& p
   {
     const CreepForce& of = forceOf(j);
     const Creepage& rolling = problem_.columns[j];
-    limit += columns_[j].load * frictionOf(problem_, static_cast<int>(j));
+    limit += columns_[j].weight * columns_[j].load * frictionOf(problem_, static_cast<int>(j));
     work -= of.x * rolling.x + of.y * rolling.y + of.moment * rolling.spin;
   }
   creep.adhesion_share = limit > 0 ? std::hypot(creep.force.x, creep.force.y) / limit : 0;
@@ -239,7 +319,6 @@ void RollingContact::addTo(const Island& island, bool with_field, PatchResult& p
   creep.error_estimate = solution_.error_estimate;
   if (with_field && solution_.traction_x.cols() == problem_.grid.ny)
   {
-    const auto begin = static_cast<Eigen::Index>(first);
     creep.traction_x = solution_.traction_x.middleCols(begin, island.columns);
     creep.traction_y = solution_.traction_y.middleCols(begin, island.columns);
   }

@@ -5,14 +5,18 @@
 #include <vector>
 
 #include "core/balance/wheelset_balance.h"
+#include "core/creep/creep_strips.h"
 #include "wheel_rail_contact/core/creep.h"
 #include "wheel_rail_contact/core/wheelset_result.h"
 
 namespace wheel_rail_contact::core
 {
-/// Friction on the pressure of one grid of a wheel, or of one of its islands with CreepMethod::linear, which knows no
-/// columns. Each column rolls at its own place along its own tangent plane. Nothing jumps where two islands join. Track
-/// axes.
+/// Friction on the pressure of one grid of a wheel. Each column rolls at its own place along its own tangent plane.
+/// Nothing jumps where two islands join. Track axes.
+///
+/// CreepMethod::linear knows no columns, but ellipses: those on both sides of the column whose force is w times the
+/// smaller of the largest ones on either side, with the weight 1 - w, and their common ellipse with the weight w. The
+/// weights are our own.
 class RollingContact
 {
  public:
@@ -21,8 +25,8 @@ class RollingContact
   /// Sets all columns of a grid of a wheel, and direction and velocity of its rail.
   void place(Side side, const WheelsetBalance& balance, std::size_t grid, const RailRates& slope,
              const RailRates& velocity);
-  /// Replaces the columns by one at the centre of pressure of an island.
-  void join(const Island& island, const SemiAxes& ellipse);
+  /// Replaces the columns by the centres of pressure of ellipses.
+  void join();
 
   /// Solves the contact at a motion. The last tractions are the start.
   /// @param follows  the wheel follows the rail: the vertical velocity of the motion is replaced by the one at which
@@ -34,9 +38,9 @@ class RollingContact
 
   Side side() const { return side_; }
   /// Sum over the columns [N].
-  double normalForce() const { return problem_.normal_force; }
+  double normalForce() const { return whole_.load; }
   /// The contact at its centre of pressure.
-  ContactPlace centre() const { return meanOf(0, columns_.size()).place; }
+  const ContactPlace& centre() const { return whole_.place; }
   /// Friction on the wheelset.
   Wrench onWheelset() const { return onWheelset(0, columns_.size()); }
   /// Friction on the rail along its coordinates (core/balance/rail_support.h), side axes [N], [N], [N m].
@@ -53,23 +57,36 @@ class RollingContact
     double load = 0;                                    ///< normal force [N]
     double overlap = 0;                                 ///< of the undeformed bodies [m]
     double centre_x = 0;                                ///< its centre of pressure, from the middle [m]
+    // Of an ellipse that replaces columns:
+    std::size_t highest = 0;  ///< the one with the largest force
+    double weight = 1;
+    CreepForce force;                                  ///< with the weight
+    double semi_axis_along = 0, semi_axis_across = 0;  ///< [m]
   };
 
-  std::size_t firstOf(const Island& island) const;
+  std::size_t indexOf(Eigen::Index side_column) const;
+  void addEllipses(double first, double end, double weight, const CreepStrips::Ellipse& per_strips);
+  CreepStatus solveEllipses(CreepSolver& solver);
   void placeColumns(const WheelsetBalance& balance, std::size_t grid);
   void setRail(const RailRates& slope, const RailRates& velocity);
-  Column meanOf(std::size_t first, std::size_t end) const;
+  Column meanOf(double first, double end) const;
   const CreepForce& forceOf(std::size_t column) const
   {
-    return solution_.columns.empty() ? solution_.force : solution_.columns[column];
+    return is_joined_                  ? columns_[column].force
+           : solution_.columns.empty() ? solution_.force
+                                       : solution_.columns[column];
   }
   Wrench onWheelset(std::size_t first, std::size_t end) const;
 
   Side side_ = Side::left;
   CreepProblem problem_;
   CreepSolution solution_;
-  WheelsetMotion motion_;                           ///< of the solution
-  std::vector<Column> columns_;                     ///< from the right to the left, as those of the problem
+  WheelsetMotion motion_;        ///< of the solution
+  std::vector<Column> columns_;  ///< from the right to the left, or ellipses
+  std::vector<Column> ellipses_;
+  bool is_joined_ = false;  ///< the columns are ellipses
+  Column whole_;            ///< all columns as one
+  CreepStrips strips_;
   Eigen::Vector3d head_ = Eigen::Vector3d::Zero();  ///< reference point of the rail, from the axle centre [m]
 };
 }  // namespace wheel_rail_contact::core

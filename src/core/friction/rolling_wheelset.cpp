@@ -94,15 +94,14 @@ void RollingWheelset::setContacts(const WheelsetState& state, const WheelsetBala
     for (std::size_t i = 0; balance.wheel(side).loaded() && i < islands.islands().size(); ++i)
     {
       const Island& island = islands.islands()[i];
-      if (config_.creep.method == CreepMethod::linear)
+      if (i == 0 || island.patch != islands.islands()[i - 1].patch)
       {
         RollingContact& contact = nextContact(side);
         contact.place(side, balance, island.patch, slope, velocity);
-        contact.join(island, equalEllipse(islands.solution().patches[i]));
-      }
-      else if (i == 0 || island.patch != islands.islands()[i - 1].patch)
-      {
-        nextContact(side).place(side, balance, island.patch, slope, velocity);
+        if (config_.creep.method == CreepMethod::linear)
+        {
+          contact.join();
+        }
       }
       contact_of_.push_back(count_ - 1);
     }
