@@ -150,9 +150,10 @@ struct CreepSolution
   /// Forces of each column on the wheel along its tangent plane, and their moment about its middle (x = 0); empty with
   /// `linear`. On a curved surface `force` is their sum as if the patch were plane.
   std::vector<CreepForce> columns;
-  double friction = 0;        ///< coefficient of friction at this slip velocity, the mean of the columns [-]
-  double adhesion_share = 0;  ///< resultant of x and y over the friction limit [-]
-  double power = 0;           ///< dissipated power [W], >= 0
+  std::vector<double> limits;  ///< friction limit of each of these columns [N]
+  double friction = 0;         ///< coefficient of friction at this slip velocity, the mean of the columns [-]
+  double adhesion_share = 0;   ///< resultant of x and y over the friction limit [-]
+  double power = 0;            ///< dissipated power [W], >= 0
   /// Estimated error of the forces over the friction limit [-], not a bound: of the method and its grid.
   double error_estimate = 0;
   int iterations = 0;  ///< sweeps over all cells; 0 with `linear`, 1 with `fastsim`
@@ -170,11 +171,20 @@ class CreepSolver
   /// Solves `problem`. If `warm` is true and `solution` has tractions of the same shape, `exact` starts from them. For
   /// shapes that it has solved before, it allocates no memory. Does not throw for a numerical failure.
   void solve(const CreepProblem& problem, bool warm, CreepSolution& solution);
+  /// Solves the last problem at other creepages (and another amount of the speed). All else in `problem`, and
+  /// `solution`, are as the last call left them.
+  void solveAgain(const CreepProblem& problem, CreepSolution& solution);
+
+ protected:
+  /// True if only creepages and speed differ from those of the last problem.
+  bool isAgain() const { return is_again_; }
 
  private:
-  /// Fills columns (or force, if the method has none), iterations, error estimate and tractions of a problem with
-  /// friction limit > 0, whose numbers are valid but for grid and pressure. Returns the status.
+  /// Fills columns with their limits (or force, if the method has no columns), iterations, error estimate and tractions
+  /// of a problem with friction limit > 0, whose numbers are valid but for grid and pressure. Returns the status.
   virtual CreepStatus fill(const CreepProblem& problem, bool warm, CreepSolution& solution) = 0;
+
+  bool is_filled_ = false, is_again_ = false;
 };
 
 /// Creates a solver of the given method.

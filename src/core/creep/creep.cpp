@@ -55,21 +55,17 @@ bool isValid(const CreepProblem& problem)
 /// Sets force, mean friction and power, from those of the columns.
 void sumColumns(const CreepProblem& problem, CreepSolution& solution)
 {
-  double limit = 0, work = 0;
-  const double scale = pressureScale(problem) * problem.grid.cellArea();
   solution.force = {};
   for (int j = 0; j < problem.grid.ny; ++j)
   {
     const CreepForce& force = solution.columns[static_cast<std::size_t>(j)];
-    const Creepage creep = creepageOf(problem, j);
     solution.force.x += force.x;
     solution.force.y += force.y;
     solution.force.moment += force.moment - problem.grid.y(j) * force.x;
-    limit += frictionOf(problem, j) * scale * problem.pressure.col(j).sum();
-    work -= force.x * creep.x + force.y * creep.y + force.moment * creep.spin;
   }
-  solution.friction = limit / problem.normal_force;
-  solution.power = std::abs(problem.speed) * work;
+  const CreepSums sums = sumOf(problem, solution, 0, solution.columns.size());
+  solution.friction = sums.limit / problem.normal_force;
+  solution.power = std::abs(problem.speed) * sums.work;
 }
 
 bool hasFriction(const CreepProblem& problem, double friction)
@@ -147,12 +143,21 @@ void validate(const CreepConfig& creep)
   validate(creep.friction.right, "creep/right/");
 }
 
+void CreepSolver::solveAgain(const CreepProblem& problem, CreepSolution& solution)
+{
+  is_again_ = is_filled_;
+  solve(problem, true, solution);
+  is_again_ = false;
+}
+
 void CreepSolver::solve(const CreepProblem& problem, bool warm, CreepSolution& solution)
 {
+  is_filled_ = false;
   solution.force = {};
   solution.adhesion_share = solution.power = solution.error_estimate = 0;
   solution.iterations = 0;
   solution.columns.clear();
+  solution.limits.clear();
   solution.friction = problem.friction.at(slipVelocity(problem.speed, problem.creepage));
   solution.status = CreepStatus::invalid_problem;
   if (!isValid(problem))
@@ -167,6 +172,7 @@ void CreepSolver::solve(const CreepProblem& problem, bool warm, CreepSolution& s
     return;
   }
   solution.status = fill(problem, warm, solution);
+  is_filled_ = solution.status != CreepStatus::invalid_problem;
   const CreepForce& force = solution.force;
   if (!solution.columns.empty())
   {
@@ -174,8 +180,7 @@ void CreepSolver::solve(const CreepProblem& problem, bool warm, CreepSolution& s
   }
   else
   {
-    const Creepage& creep = problem.creepage;
-    solution.power = -std::abs(problem.speed) * (force.x * creep.x + force.y * creep.y + force.moment * creep.spin);
+    solution.power = std::abs(problem.speed) * workOf(force, problem.creepage);
   }
   solution.adhesion_share = std::hypot(force.x, force.y) / (solution.friction * problem.normal_force);
 }

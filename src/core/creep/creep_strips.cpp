@@ -54,6 +54,17 @@ double frictionOf(const CreepProblem& problem, int column)
   return problem.friction.at(slipVelocity(problem.speed, creepage));
 }
 
+CreepSums sumOf(const CreepProblem& problem, const CreepSolution& solution, std::size_t first, std::size_t end)
+{
+  CreepSums sums;
+  for (std::size_t j = first; j < std::min(end, solution.columns.size()); ++j)
+  {
+    sums.limit += solution.limits[j];
+    sums.work += workOf(solution.columns[j], creepageOf(problem, static_cast<int>(j)));
+  }
+  return sums;
+}
+
 double pressureScale(const CreepProblem& problem)
 {
   return problem.normal_force / (problem.pressure.sum() * problem.grid.cellArea());
@@ -63,7 +74,7 @@ double pressureScale(const CreepProblem& problem)
 struct CreepStrips::Sums
 {
   double area = 0, first_x = 0, first_y = 0, second_x = 0, second_y = 0;  ///< [m^2], [m^3], [m^4]
-  double force = 0, creepage = 0, moment = 0;                             ///< the latter two times the force, x
+  double force = 0, moment = 0;                                           ///< the latter times x
 
   Ellipse ellipse() const
   {
@@ -74,10 +85,12 @@ struct CreepStrips::Sums
 
 void CreepStrips::measure(const CreepProblem& problem)
 {
+  const double area = pressureScale(problem) * problem.grid.cellArea();
   strips_.clear();
   for (int j = 0; j < problem.grid.ny; ++j)
   {
     strips_.push_back(stripOf(problem, j));
+    strips_.back().force *= area;
   }
 }
 
@@ -94,9 +107,25 @@ CreepStrips::Ellipse CreepStrips::ellipseOf(const CreepProblem& problem, double 
 const std::vector<CreepStrip>& CreepStrips::find(const CreepProblem& problem)
 {
   measure(problem);
+  const Eigen::Index most = std::max<Eigen::Index>(problem.grid.ny, shares_.rows());
+  shares_.setZero(most, most);
+  creepages_.setZero(most);
   for (int j = 0; j < problem.grid.ny; ++j)
   {
     setEllipse(problem, j);
+  }
+  return roll(problem);
+}
+
+const std::vector<CreepStrip>& CreepStrips::roll(const CreepProblem& problem)
+{
+  for (int j = 0; j < problem.grid.ny; ++j)
+  {
+    creepages_[j] = creepageOf(problem, j).x;
+  }
+  for (int j = 0; j < problem.grid.ny; ++j)
+  {
+    strips_[static_cast<std::size_t>(j)].creepage_x = shares_.col(j).dot(creepages_);
   }
   return strips_;
 }
@@ -129,7 +158,6 @@ void CreepStrips::addTo(Sums& sums, const CreepProblem& problem, int column, dou
   sums.second_x += area * (x * x + strip.half * strip.half / 3);
   sums.second_y += area * (y * y + width * width / 12);
   sums.force += force;
-  sums.creepage += force * creepageOf(problem, column).x;
   sums.moment += force * x;
 }
 
@@ -141,9 +169,14 @@ void CreepStrips::setEllipse(const CreepProblem& problem, int column)
     return;
   }
   Sums sums;
-  const auto force = [&](int k) { return forceOf(k); };
-  visitConnected(problem.grid.ny, column, force, [&](int k, double weight) { addTo(sums, problem, k, weight); });
-  strip.creepage_x = sums.creepage / sums.force;
+  const auto add = [&](int k, double weight)
+  {
+    addTo(sums, problem, k, weight);
+    shares_(k, column) = weight * forceOf(k);
+  };
+  visitConnected(
+      problem.grid.ny, column, [&](int k) { return forceOf(k); }, add);
+  shares_.col(column) /= sums.force;
   strip.middle = sums.moment / sums.force;
   const auto [area, ratio] = sums.ellipse();
   const double over_modulus = std::sqrt(area * ratio / pi) / problem.elasticity.modulus;

@@ -25,6 +25,19 @@ Creepage creepageOf(const CreepProblem& problem, int column);
 /// Coefficient of friction of a column.
 double frictionOf(const CreepProblem& problem, int column);
 
+/// Work of a force on the wheel that becomes heat, per length of the way [N].
+inline double workOf(const CreepForce& force, const Creepage& creepage)
+{
+  return -(force.x * creepage.x + force.y * creepage.y + force.moment * creepage.spin);
+}
+
+/// Friction limit and workOf() of columns of a solution [N].
+struct CreepSums
+{
+  double limit = 0, work = 0;
+};
+CreepSums sumOf(const CreepProblem& problem, const CreepSolution& solution, std::size_t first, std::size_t end);
+
 /// Factor of the pressures that makes their sum the normal force [-].
 double pressureScale(const CreepProblem& problem);
 
@@ -41,7 +54,8 @@ void visitConnected(int count, int j, const Force& force, const Visit& visit)
     for (int k = j + step; k >= 0 && k < count && least > 0 && force(k) > 0; k += step)
     {
       least = std::min(least, force(k));
-      visit(k, least / std::min(force(j), force(k)));
+      const double smaller = std::min(force(j), force(k));
+      visit(k, least < smaller ? least / smaller : 1.0);
     }
   }
 }
@@ -49,7 +63,7 @@ void visitConnected(int count, int j, const Force& force, const Visit& visit)
 /// A column of the pressure as a semi-ellipse with its first two moments.
 struct CreepStrip
 {
-  double force = 0;         ///< sum of the pressures of its cells [Pa]; 0 without load
+  double force = 0;         ///< normal force [N]; 0 without load
   double centre = 0;        ///< x of its centre [m]
   double half = 0;          ///< half its length [m]
   Flexibility flexibility;  ///< of its ellipse
@@ -73,6 +87,8 @@ class CreepStrips
 
   /// Finds the strips of a valid pressure. Allocates no memory for numbers of columns that it has had before.
   const std::vector<CreepStrip>& find(const CreepProblem& problem);
+  /// The strips at other creepages.
+  const std::vector<CreepStrip>& roll(const CreepProblem& problem);
   /// Finds forces and lengths of the strips only.
   void measure(const CreepProblem& problem);
   /// Ellipse of measured strips from one to another, which may lie in a strip: a share of it counts.
@@ -86,5 +102,7 @@ class CreepStrips
   void setEllipse(const CreepProblem& problem, int column);
 
   std::vector<CreepStrip> strips_;
+  Eigen::MatrixXd shares_;  ///< of the strips (rows) in the force of the ellipse of each strip (columns) [-]
+  Eigen::VectorXd creepages_;
 };
 }  // namespace wheel_rail_contact::core

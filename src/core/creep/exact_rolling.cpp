@@ -34,17 +34,20 @@ CreepStatus ExactRolling::fill(const CreepProblem& problem, bool warm, CreepSolu
   {
     return CreepStatus::invalid_problem;
   }
-  prepare(problem);
-  if (warm && solution.traction_x.rows() == nx_ && solution.traction_x.cols() == ny_ &&
-      solution.traction_y.rows() == nx_ && solution.traction_y.cols() == ny_)
+  if (isAgain())
   {
-    startFrom(solution);
+    addRigid(-1);
+    prepare(problem);
+    addRigid(1);
   }
   else
   {
-    startOnStrips(problem);
+    prepare(problem);
+    const bool continues = warm && solution.traction_x.rows() == nx_ && solution.traction_x.cols() == ny_ &&
+                           solution.traction_y.rows() == nx_ && solution.traction_y.cols() == ny_;
+    continues ? startFrom(solution) : startOnStrips(problem);
+    findSlip();
   }
-  findSlip();
   bool is_converged = false;
   double change = 0;
   while (!is_converged && solution.iterations < most_sweeps)
@@ -56,7 +59,7 @@ CreepStatus ExactRolling::fill(const CreepProblem& problem, bool warm, CreepSolu
   }
   store(problem, solution);
   const auto loaded = [](const LoadedColumns& range) { return !range.isEmpty(); };
-  const auto rows = std::count_if(ranges_.begin(), ranges_.end() - 1, loaded);
+  const auto rows = std::count_if(ranges_.begin(), ranges_.end() - 2, loaded);
   solution.error_estimate = error_by_rows / static_cast<double>(rows) + change;
   return is_converged ? CreepStatus::converged : CreepStatus::iteration_limit;
 }
@@ -69,8 +72,9 @@ void ExactRolling::prepare(const CreepProblem& problem)
   ny_ = grid.ny;
   line_ = roundUpToLanes(ny_);
   table_ = &tables_.find(nx_ + 1, ny_, grid.dx / grid.dy, problem.elasticity.poisson);
-  ranges_.resize(static_cast<std::size_t>(nx_) + 1);
-  const int size = (nx_ + 1) * line_;
+  ranges_.assign(static_cast<std::size_t>(nx_) + 2, {ny_, 0});
+  stepped_.resize(static_cast<std::size_t>(ny_));
+  const int size = (nx_ + 2) * line_;
   bound_.resize(size);
   for (VectorField* field : {&traction_, &rigid_, &slip_})
   {
@@ -98,7 +102,6 @@ void ExactRolling::setRow(const CreepProblem& problem, int row)
   const double unit = pi * problem.elasticity.modulus * grid.dx / grid.dy;
   const double ahead = direction_ * grid.x(gridRow(row)) + slip_place * grid.dx;
   LoadedColumns& range = ranges_[static_cast<std::size_t>(row)];
-  range = {ny_, 0};
   for (int j = 0; j < ny_; ++j)
   {
     const int at = row * line_ + j;
@@ -107,7 +110,7 @@ void ExactRolling::setRow(const CreepProblem& problem, int row)
     bound_sum_ += bound_[at];
     rigid_.x[at] = unit * direction_ * creep.x;
     rigid_.y[at] = unit * (direction_ * creep.y + creep.spin * ahead);
-    if (bound_[at] > 0)
+    if (problem.pressure(gridRow(row), gridColumn(j)) > 0)
     {
       range.first = std::min(range.first, j);
       range.end = j + 1;
@@ -121,8 +124,7 @@ void ExactRolling::widenRanges()
   std::fill_n(bound_.data() + last, line_, 0.0);
   std::fill_n(rigid_.x.data() + last, line_, 0.0);
   std::fill_n(rigid_.y.data() + last, line_, 0.0);
-  ranges_.back() = {ny_, 0};
-  for (std::size_t row = ranges_.size() - 1; row > 0; --row)
+  for (std::size_t row = ranges_.size() - 2; row > 0; --row)
   {
     ranges_[row].first = std::min(ranges_[row].first, ranges_[row - 1].first);
     ranges_[row].end = std::max(ranges_[row].end, ranges_[row - 1].end);
@@ -168,9 +170,9 @@ void ExactRolling::startFrom(const CreepSolution& solution)
 
 void ExactRolling::findSlip()
 {
-  const int size = (nx_ + 1) * line_;
-  std::copy_n(rigid_.x.data(), size, slip_.x.data());
-  std::copy_n(rigid_.y.data(), size, slip_.y.data());
+  std::fill_n(slip_.x.data(), (nx_ + 2) * line_, 0.0);
+  std::fill_n(slip_.y.data(), (nx_ + 2) * line_, 0.0);
+  addRigid(1);
   for (int row = 0; row <= nx_; ++row)
   {
     const int at = row * line_, ahead = at - line_;
@@ -183,26 +185,41 @@ void ExactRolling::findSlip()
   }
 }
 
+void ExactRolling::addRigid(double factor)
+{
+  for (int at = 0; at < (nx_ + 1) * line_; ++at)
+  {
+    slip_.x[at] += factor * rigid_.x[at];
+    slip_.y[at] += factor * rigid_.y[at];
+  }
+}
+
+/// The rows at a distance behind and ahead share a product.
 void ExactRolling::addSteps(int row, bool to_itself)
 {
-  const LoadedColumns source = ranges_[static_cast<std::size_t>(row)];
-  for (int target = 0; target <= nx_; ++target)
+  RowProduct product;
+  const LoadedColumns& source = ranges_[static_cast<std::size_t>(row)];
+  for (int j = source.first; j < source.end; ++j)
   {
-    const LoadedColumns range = ranges_[static_cast<std::size_t>(target)];
-    if (range.isEmpty() || source.isEmpty() || (target == row && !to_itself))
-    {
-      continue;
-    }
-    RowProduct product;
-    product.first = source.first;
-    product.end = source.end;
-    product.step_x = step_.x.data();
-    product.step_y = step_.y.data();
-    product.target_first = range.first;
-    product.target_end = range.end;
-    product.slip_x = slip_.x.data() + target * line_;
-    product.slip_y = slip_.y.data() + target * line_;
-    product.influence = table_->row(target - row);
+    stepped_[static_cast<std::size_t>(product.count)] = j;
+    product.count += step_.x[j] != 0 || step_.y[j] != 0 ? 1 : 0;
+  }
+  product.columns = stepped_.data();
+  product.step_x = step_.x.data();
+  product.step_y = step_.y.data();
+  const auto inside = [&](int target) { return target >= 0 && target <= nx_ ? target : nx_ + 1; };
+  for (int distance = to_itself ? 0 : 1; distance <= std::max(row, nx_ - row); ++distance)
+  {
+    const int behind = inside(row + distance), ahead = inside(distance > 0 ? row - distance : -1);
+    const LoadedColumns &one = ranges_[static_cast<std::size_t>(behind)],
+                        &other = ranges_[static_cast<std::size_t>(ahead)];
+    product.target_first = std::min(one.first, other.first);
+    product.target_end = product.count > 0 ? std::max(one.end, other.end) : 0;
+    product.behind_x = slip_.x.data() + behind * line_;
+    product.behind_y = slip_.y.data() + behind * line_;
+    product.ahead_x = slip_.x.data() + ahead * line_;
+    product.ahead_y = slip_.y.data() + ahead * line_;
+    product.influence = table_->row(distance);
     addProduct(product);
   }
 }
@@ -260,6 +277,7 @@ void ExactRolling::store(const CreepProblem& problem, CreepSolution& solution) c
   solution.traction_x.resize(nx_, ny_);
   solution.traction_y.resize(nx_, ny_);
   solution.columns.assign(static_cast<std::size_t>(ny_), {});
+  solution.limits.assign(static_cast<std::size_t>(ny_), 0);
   const double area = grid.cellArea();
   for (int row = 0; row < nx_; ++row)
   {
@@ -271,6 +289,7 @@ void ExactRolling::store(const CreepProblem& problem, CreepSolution& solution) c
       solution.traction_x(i, j) = px;
       solution.traction_y(i, j) = py;
       CreepForce& sum = solution.columns[static_cast<std::size_t>(j)];
+      solution.limits[static_cast<std::size_t>(j)] += area * bound_[at];
       sum.x += area * px;
       sum.y += area * py;
       sum.moment += area * grid.x(i) * py;

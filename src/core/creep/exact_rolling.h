@@ -44,6 +44,8 @@ class ExactRolling : public CreepSolver
   void startOnStrips(const CreepProblem& problem);
   void startFrom(const CreepSolution& solution);
   void findSlip();
+  /// Adds the rigid slip, times a factor, to the slip.
+  void addRigid(double factor);
   /// Adds the displacements by the steps of a row to the slip.
   void addSteps(int row, bool to_itself);
   /// Sums over all cells [Pa].
@@ -65,7 +67,8 @@ class ExactRolling : public CreepSolver
   const TangentialTable* table_ = nullptr;
   double direction_ = 1;
   int nx_ = 0, ny_ = 0, line_ = 0;
-  /// Of each row and one more: columns with pressure there or in the row ahead.
+  /// Of each row and one more: columns with pressure there or in the row ahead. The last one is empty, for rows
+  /// outside.
   std::vector<LoadedColumns> ranges_;
   LaneBuffer friction_;       ///< of each column: coefficient of friction times the scale of the pressure [-]
   LaneBuffer bound_;          ///< friction limit [Pa]
@@ -74,5 +77,6 @@ class ExactRolling : public CreepSolver
   VectorField rigid_;         ///< rigid slip over one cell, in the unit of A p: times pi G / dy [Pa]
   VectorField slip_;          ///< slip over one cell [Pa]
   VectorField step_, moved_;  ///< of one row: change of q; change of the traction in this sweep [Pa]
+  std::vector<int> stepped_;  ///< columns where q changes
 };
 }  // namespace wheel_rail_contact::core

@@ -97,8 +97,9 @@ WHEEL_RAIL_CONTACT_WIDE void addProduct(const RowProduct& product)
   for (int at = laneBefore(product.target_first); at < product.target_end; at += lane_padding)
   {
     Lanes direct_x{}, direct_y{}, cross_x{}, cross_y{};
-    for (int j = product.first; j < product.end; ++j)
+    for (int k = 0; k < product.count; ++k)
     {
+      const int j = product.columns[k];
       const Lanes xx = *reinterpret_cast<const LanesInMemory*>(product.influence.xx + at - j);
       const Lanes xy = *reinterpret_cast<const LanesInMemory*>(product.influence.xy + at - j);
       const Lanes yy = *reinterpret_cast<const LanesInMemory*>(product.influence.yy + at - j);
@@ -107,8 +108,10 @@ WHEEL_RAIL_CONTACT_WIDE void addProduct(const RowProduct& product)
       cross_y += xy * product.step_x[j];
       direct_y += yy * product.step_y[j];
     }
-    *reinterpret_cast<Lanes*>(product.slip_x + at) += direct_x + sign * cross_x;
-    *reinterpret_cast<Lanes*>(product.slip_y + at) += direct_y + sign * cross_y;
+    *reinterpret_cast<Lanes*>(product.behind_x + at) += direct_x + sign * cross_x;
+    *reinterpret_cast<Lanes*>(product.behind_y + at) += direct_y + sign * cross_y;
+    *reinterpret_cast<Lanes*>(product.ahead_x + at) += direct_x - sign * cross_x;
+    *reinterpret_cast<Lanes*>(product.ahead_y + at) += direct_y - sign * cross_y;
   }
 }
 }  // namespace wheel_rail_contact::core

@@ -19,14 +19,15 @@ struct RowCells
 /// Solves the cells of a row one after another, to and fro. Adds the changes to traction, slip and step.
 void solveRow(const RowCells& row);
 
-/// Changes of a row, and a row on which they act.
+/// Changes of a row, and two rows on which they act, at the same distance behind and ahead.
 struct RowProduct
 {
-  int first = 0, end = 0;                             ///< columns of the source
-  const double *step_x = nullptr, *step_y = nullptr;  ///< changes there [Pa]
-  int target_first = 0, target_end = 0;               ///< columns of the target
-  double *slip_x = nullptr, *slip_y = nullptr;        ///< its slip, to which is added
-  TangentialTable::Row influence;
+  const int* columns = nullptr;                       ///< those with a change
+  int count = 0;                                      ///< their number
+  const double *step_x = nullptr, *step_y = nullptr;  ///< changes of all columns [Pa]
+  int target_first = 0, target_end = 0;               ///< columns of the targets; nothing is added without any
+  double *behind_x = nullptr, *behind_y = nullptr, *ahead_x = nullptr, *ahead_y = nullptr;  ///< slip, to which is added
+  TangentialTable::Row influence;                                                           ///< on the row behind
 };
 void addProduct(const RowProduct& product);
 }  // namespace wheel_rail_contact::core

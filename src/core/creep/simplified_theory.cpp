@@ -78,11 +78,10 @@ bool hasPressure(const CreepProblem& problem)
   return grid.dx > 0 && grid.dy > 0 && sum > 0 && std::isfinite(sum) && (p >= 0).all();
 }
 
-double reducedSpin(const CreepProblem& problem, double friction)
+double reducedSpin(const CreepProblem& problem, double spin)
 {
   const double product = problem.semi_axis_along * problem.semi_axis_across;
-  return 1.5 * product * std::sqrt(product) * problem.elasticity.modulus * std::abs(problem.creepage.spin) /
-         (friction * problem.normal_force);
+  return 1.5 * product * std::sqrt(product) * problem.elasticity.modulus * std::abs(spin) / problem.normal_force;
 }
 
 CreepStatus LinearLaw::fill(const CreepProblem& problem, bool /*warm*/, CreepSolution& solution)
@@ -103,33 +102,39 @@ CreepStatus LinearLaw::fill(const CreepProblem& problem, bool /*warm*/, CreepSol
   // As a function of e, the factor is continuous at 0 and at the limit.
   const double scale = e < sliding_demand ? 1 - e / 3 + e * e / 27 : 1 / e;
   solution.force = {scale * linear.x, scale * linear.y, scale * linear.moment};
-  solution.error_estimate = std::min(1.0, linear_error + linear_spin_error * reducedSpin(problem, solution.friction));
+  solution.error_estimate =
+      std::min(1.0, linear_error + linear_spin_error * reducedSpin(problem, creep.spin / solution.friction));
   solution.iterations = 0;
   return CreepStatus::converged;
 }
 
 CreepStatus Fastsim::fill(const CreepProblem& problem, bool /*warm*/, CreepSolution& solution)
 {
-  if (!hasPressure(problem))
+  if (!isAgain() && !hasPressure(problem))
   {
     return CreepStatus::invalid_problem;
   }
-  const double direction = directionOf(problem), width = problem.grid.dy, scale = pressureScale(problem);
-  const std::vector<CreepStrip>& strips = strips_.find(problem);
+  const double direction = directionOf(problem), width = problem.grid.dy;
+  const std::vector<CreepStrip>& strips = isAgain() ? strips_.roll(problem) : strips_.find(problem);
   solution.columns.assign(strips.size(), {});
+  solution.limits.assign(strips.size(), 0);
+  double spin = 0, limits = 0;  // sums, of the spin times the load
   for (int j = 0; j < problem.grid.ny; ++j)
   {
     const CreepStrip& strip = strips[static_cast<std::size_t>(j)];
     if (strip.force > 0)
     {
-      const double limit = frictionOf(problem, j) * scale * strip.force * problem.grid.dx;  // [N/m]
-      const double peak = peak_over_mean * limit / (2 * strip.half);
+      const double limit = frictionOf(problem, j) * strip.force;
+      const double peak = peak_over_mean * limit / (2 * strip.half * width);
       const CreepForce force = forceOf(growthOf(problem, j, strip), direction * strip.centre, strip.half, peak);
       solution.columns[static_cast<std::size_t>(j)] = {direction * width * force.x, direction * width * force.y,
                                                        width * force.moment};
+      solution.limits[static_cast<std::size_t>(j)] = limit;
+      spin += strip.force * std::abs(creepageOf(problem, j).spin);
+      limits += limit;
     }
   }
-  solution.error_estimate = fastsim_error + fastsim_spin_error * std::min(0.5, reducedSpin(problem, solution.friction));
+  solution.error_estimate = fastsim_error + fastsim_spin_error * std::min(0.5, reducedSpin(problem, spin / limits));
   solution.iterations = 1;
   return CreepStatus::converged;
 }

@@ -17,7 +17,8 @@ inline double directionOf(const CreepProblem& problem)
 bool hasPressure(const CreepProblem& problem);
 
 /// Spin over that which just saturates a patch, phi 1.5 c³ G / (mu N) [-]: large above about 1.
-double reducedSpin(const CreepProblem& problem, double friction);
+/// @param spin  over the coefficient of friction: phi / mu [1/m]
+double reducedSpin(const CreepProblem& problem, double spin);
 
 /// Linear theory with saturation: Fx = -c² G C11 x, Fy = -c² G C22 y - c³ G C23 spin, Mz = c³ G C23 y - c⁴ G C33 spin
 /// with c² = a b (Kalker 1967; 1990, eq. 2.28). When the wheel rolls backward, C23 has the other sign. Shen, Hedrick

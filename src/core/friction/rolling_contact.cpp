@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/balance/patch_result.h"
 #include "core/constants.h"
@@ -57,6 +58,7 @@ void RollingContact::place(Side side, const WheelsetBalance& balance, std::size_
   const SemiAxes ellipse = equalEllipse(pressure);
   problem_.semi_axis_along = ellipse.along;
   problem_.semi_axis_across = ellipse.across;
+  is_new_ = true;
   placeColumns(balance, grid);
   setRail(slope, velocity);
   problem_.normal_force = 0;
@@ -132,6 +134,7 @@ RollingContact::Column RollingContact::meanOf(double first, double end) const
   mean.place.position.x() += x / mean.load;
   mean.on_rail.x() += x / mean.load;
   mean.place.angle = std::atan2(-force.y(), force.z());
+  mean.axes = patchAxes(mean.place);
   return mean;
 }
 
@@ -200,7 +203,7 @@ void RollingContact::addEllipses(double first, double end, double weight, const 
 }
 
 /// Returns the first status that is not usable, or the last one.
-CreepStatus RollingContact::solveEllipses(CreepSolver& solver)
+CreepStatus RollingContact::solveEllipses()
 {
   CreepStatus status = CreepStatus::converged;
   double error = 0;
@@ -211,7 +214,7 @@ CreepStatus RollingContact::solveEllipses(CreepSolver& solver)
     problem_.normal_force = ellipse.load;
     problem_.semi_axis_along = ellipse.semi_axis_along;
     problem_.semi_axis_across = ellipse.semi_axis_across;
-    solver.solve(problem_, true, solution_);
+    solver_->solve(problem_, true, solution_);
     const CreepForce& force = solution_.force;
     ellipse.force = {ellipse.weight * force.x, ellipse.weight * force.y, ellipse.weight * force.moment};
     error = std::max(error, solution_.error_estimate);
@@ -233,10 +236,11 @@ void RollingContact::setRail(const RailRates& slope, const RailRates& velocity)
     column.place.slope_z = vertical(slope);
     column.place.rail_velocity_y = lateral(velocity);
     column.place.rail_velocity_z = vertical(velocity);
+    column.axes = patchAxes(column.place);
   }
 }
 
-CreepStatus RollingContact::solve(WheelsetMotion motion, bool follows, CreepSolver& solver)
+CreepStatus RollingContact::solve(WheelsetMotion motion, bool follows)
 {
   const ContactPlace place = centre();
   motion.vertical_velocity -= follows ? normalVelocity(motion, place) / patchAxes(place)(2, 2) : 0;
@@ -249,10 +253,10 @@ CreepStatus RollingContact::solve(WheelsetMotion motion, bool follows, CreepSolv
   }
   if (is_joined_)
   {
-    return solveEllipses(solver);
+    return solveEllipses();
   }
   problem_.creepage = problem_.columns.front();
-  solver.solve(problem_, true, solution_);
+  std::exchange(is_new_, false) ? solver_->solve(problem_, true, solution_) : solver_->solveAgain(problem_, solution_);
   return solution_.status;
 }
 
@@ -267,7 +271,7 @@ Wrench RollingContact::onWheelset(std::size_t first, std::size_t end) const
   Wrench sum;
   for (std::size_t j = first; j < end; ++j)
   {
-    const Eigen::Matrix3d axes = patchAxes(columns_[j].place);
+    const Eigen::Matrix3d& axes = columns_[j].axes;
     const CreepForce& friction = forceOf(j);
     const Vector3d force = friction.x * axes.col(0) + friction.y * axes.col(1);
     sum.force += force;
@@ -282,7 +286,7 @@ Vector3d RollingContact::onRail(bool with_lateral) const
   Vector3d sum = Vector3d::Zero();
   for (std::size_t j = 0; j < columns_.size(); ++j)
   {
-    const Eigen::Matrix3d axes = patchAxes(columns_[j].place);
+    const Eigen::Matrix3d& axes = columns_[j].axes;
     Vector3d force = -(forceOf(j).x * axes.col(0) + forceOf(j).y * axes.col(1));
     const Vector3d arm = columns_[j].on_rail - head_;
     force.y() = with_lateral ? force.y() : 0;
@@ -297,7 +301,7 @@ void RollingContact::addTo(const Island& island, bool with_field, PatchResult& p
   const std::size_t first = indexOf(begin), end = indexOf(begin + island.columns);
   const Wrench wrench = onWheelset(first, end);
   const Column mean = is_joined_ ? columns_[first] : meanOf(static_cast<double>(first), static_cast<double>(end));
-  const Eigen::Matrix3d axes = patchAxes(mean.place);
+  const Eigen::Matrix3d& axes = mean.axes;
   PatchCreep& creep = patch.creep;
   creep.creepage = creepages(motion_, mean.place);
   const Vector3d force = axes.transpose() * wrench.force;
@@ -309,10 +313,8 @@ void RollingContact::addTo(const Island& island, bool with_field, PatchResult& p
   double limit = 0, work = 0;
   for (std::size_t j = first; j < end; ++j)
   {
-    const CreepForce& of = forceOf(j);
-    const Creepage& rolling = problem_.columns[j];
     limit += columns_[j].weight * columns_[j].load * frictionOf(problem_, static_cast<int>(j));
-    work -= of.x * rolling.x + of.y * rolling.y + of.moment * rolling.spin;
+    work += workOf(forceOf(j), problem_.columns[j]);
   }
   creep.adhesion_share = limit > 0 ? std::hypot(creep.force.x, creep.force.y) / limit : 0;
   creep.power = std::abs(motion_.speed) * work;

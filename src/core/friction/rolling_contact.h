@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
 #include "core/balance/wheelset_balance.h"
@@ -20,6 +21,8 @@ namespace wheel_rail_contact::core
 class RollingContact
 {
  public:
+  explicit RollingContact(CreepMethod method) : solver_(makeCreepSolver(method)) {}
+
   /// Sets elasticity and friction.
   void setMaterial(const ShearElasticity& elasticity, const FrictionLaw& friction);
   /// Sets all columns of a grid of a wheel, and direction and velocity of its rail.
@@ -30,9 +33,8 @@ class RollingContact
 
   /// Solves the contact at a motion. The last tractions are the start.
   /// @param follows  the wheel follows the rail: the vertical velocity of the motion is replaced by the one at which
-  /// the
-  ///                 particles have no velocity along the normal at the centre of pressure
-  CreepStatus solve(WheelsetMotion motion, bool follows, CreepSolver& solver);
+  ///                 the particles have no velocity along the normal at the centre of pressure
+  CreepStatus solve(WheelsetMotion motion, bool follows);
   /// The next solution starts cold.
   void forget();
 
@@ -57,6 +59,7 @@ class RollingContact
     double load = 0;                                    ///< normal force [N]
     double overlap = 0;                                 ///< of the undeformed bodies [m]
     double centre_x = 0;                                ///< its centre of pressure, from the middle [m]
+    Eigen::Matrix3d axes;                               ///< patchAxes() of its place
     // Of an ellipse that replaces columns:
     std::size_t highest = 0;  ///< the one with the largest force
     double weight = 1;
@@ -66,7 +69,7 @@ class RollingContact
 
   std::size_t indexOf(Eigen::Index side_column) const;
   void addEllipses(double first, double end, double weight, const CreepStrips::Ellipse& per_strips);
-  CreepStatus solveEllipses(CreepSolver& solver);
+  CreepStatus solveEllipses();
   void placeColumns(const WheelsetBalance& balance, std::size_t grid);
   void setRail(const RailRates& slope, const RailRates& velocity);
   Column meanOf(double first, double end) const;
@@ -79,6 +82,8 @@ class RollingContact
   Wrench onWheelset(std::size_t first, std::size_t end) const;
 
   Side side_ = Side::left;
+  std::unique_ptr<CreepSolver> solver_;
+  bool is_new_ = true;  ///< not solved since place()
   CreepProblem problem_;
   CreepSolution solution_;
   WheelsetMotion motion_;        ///< of the solution

@@ -17,6 +17,8 @@ namespace
 {
 constexpr double half_station = 1e-3;  ///< for the direction of a rail on a line [m]
 constexpr double narrow_range = 1e-4;  ///< of the free rotation about the last one, at first [-]
+constexpr int most_secants = 6;
+constexpr double largest_secant = 0.01;  ///< distance from the last rotation, over that of pure rolling [-]
 /// Accuracy of the free rotation, which is that of the longitudinal creepage [-]. The tractions of `exact` change by
 /// 5e-4 in their last sweep, which is the change by a longitudinal creepage of about 1e-6.
 constexpr double rotation_accuracy = 1e-8, rotation_accuracy_exact = 1e-6;
@@ -45,7 +47,7 @@ Sides<RailRates> slopesAt(const TrackLine* line, double distance, const Wheelset
 }  // namespace
 
 RollingWheelset::RollingWheelset(const ContactModelConfig& config)
-    : config_(config), solver_(makeCreepSolver(config.creep.method)), free_rotation_(1 / config.wheelset.meanRadius())
+    : config_(config), free_rotation_(1 / config.wheelset.meanRadius())
 {
   for (const Side side : sides)
   {
@@ -58,6 +60,7 @@ RollingWheelset::RollingWheelset(const ContactModelConfig& config)
 void RollingWheelset::reset()
 {
   free_rotation_ = 1 / config_.wheelset.meanRadius();
+  free_slope_ = 0;
   for (RollingContact& contact : contacts_)
   {
     contact.forget();
@@ -111,7 +114,10 @@ void RollingWheelset::setContacts(const WheelsetState& state, const WheelsetBala
 
 RollingContact& RollingWheelset::nextContact(Side side)
 {
-  contacts_.resize(std::max(contacts_.size(), count_ + 1));
+  if (contacts_.size() == count_)
+  {
+    contacts_.emplace_back(config_.creep.method);
+  }
   RollingContact& contact = contacts_[count_++];
   contact.setMaterial(elasticity_[side], config_.creep.friction[side]);
   return contact;
@@ -153,25 +159,29 @@ double RollingWheelset::momentAbout(const Vector3d& axle, double rotation)
   double sum = 0;
   for (std::size_t k = 0; k < count_; ++k)
   {
-    statuses_[k] = contacts_[k].solve(motion_, config_.wheelset.solve_height_and_roll, *solver_);
+    statuses_[k] = contacts_[k].solve(motion_, config_.wheelset.solve_height_and_roll);
     sum += axle.dot(contacts_[k].onWheelset().moment);
   }
   return sum;
 }
 
 /// Solves all contacts at the rotation at which friction has no moment about the axle. The moment falls as the wheelset
-/// turns faster. The range about the last rotation is widened until it contains the root. @return false if none does
+/// turns faster. Where secants lead astray, the range about the last rotation is widened until it contains the root.
+/// @return false if none does
 bool RollingWheelset::rollFreely(const Vector3d& axle)
 {
   const auto moment = [&](double rotation) { return momentAbout(axle, rotation); };
   const double rolling = std::abs(motion_.speed) / config_.wheelset.meanRadius();
   const double start = std::clamp(free_rotation_ * motion_.speed, -1.5 * rolling, 1.5 * rolling);
+  const double accuracy =
+      rolling * (config_.creep.method == CreepMethod::exact ? rotation_accuracy_exact : rotation_accuracy);
   if (count_ == 0)
   {
     motion_.rotation = motion_.speed / config_.wheelset.meanRadius();
     return true;
   }
-  for (double range = narrow_range * rolling; range < 2 * rolling; range *= 10)
+  bool is_found = followSecants(axle, start, accuracy);
+  for (double range = narrow_range * rolling; !is_found && range < 2 * rolling; range *= 10)
   {
     const double at_low = moment(start - range), at_high = moment(start + range);
     if (at_low == 0 && at_high == 0)  // no friction
@@ -181,12 +191,31 @@ bool RollingWheelset::rollFreely(const Vector3d& axle)
     }
     if (at_low > 0 && at_high < 0)
     {
-      const bool is_exact = config_.creep.method == CreepMethod::exact;
-      bracketedRoot(moment, start - range, at_low, start + range, at_high,
-                    (is_exact ? rotation_accuracy_exact : rotation_accuracy) * rolling);
-      free_rotation_ = motion_.rotation / motion_.speed;  // the root is the last place
-      return true;
+      bracketedRoot(moment, start - range, at_low, start + range, at_high, accuracy);
+      free_slope_ = std::abs(motion_.speed) * (at_high - at_low) / (2 * range);
+      is_found = true;  // the root is the last place
     }
+  }
+  free_rotation_ = is_found ? motion_.rotation / motion_.speed : free_rotation_;
+  return is_found;
+}
+
+/// Follows secants from a rotation to the free one, the first one with the last slope.
+/// @return false if they lead astray
+bool RollingWheelset::followSecants(const Vector3d& axle, double start, double accuracy)
+{
+  const double speed = std::abs(motion_.speed), farthest = largest_secant * speed / config_.wheelset.meanRadius();
+  double value = free_slope_ < 0 ? momentAbout(axle, start) : 0;
+  for (int step = 0; step < most_secants && value != 0 && free_slope_ < 0; ++step)
+  {
+    const double change = -value * speed / free_slope_, rotation = motion_.rotation + change;
+    if (std::abs(change) <= accuracy || std::abs(rotation - start) > farthest)
+    {
+      return std::abs(change) <= accuracy;
+    }
+    const double next = momentAbout(axle, rotation);
+    free_slope_ = speed * (next - value) / change;
+    value = next;
   }
   return false;
 }

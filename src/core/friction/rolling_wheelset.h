@@ -40,12 +40,12 @@ class RollingWheelset
   std::size_t strongest(Side side) const;
   double momentAbout(const Eigen::Vector3d& axle, double rotation);
   bool rollFreely(const Eigen::Vector3d& axle);
+  bool followSecants(const Eigen::Vector3d& axle, double start, double accuracy);
   /// Sum of a quantity of the contacts of a side.
   template <typename Quantity, typename Get>
   Quantity sumOf(Side side, Quantity sum, const Get& get) const;
 
   const ContactModelConfig& config_;
-  std::unique_ptr<CreepSolver> solver_;
   Sides<ShearElasticity> elasticity_;
   WheelsetMotion motion_;
   Sides<RailRates> slopes_;
@@ -53,6 +53,7 @@ class RollingWheelset
   std::size_t count_ = 0;
   std::vector<std::size_t> contact_of_;  ///< contact of each patch of the result
   std::vector<CreepStatus> statuses_;
-  double free_rotation_;  ///< last one over the speed [1/m]
+  double free_rotation_;   ///< last one over the speed [1/m]
+  double free_slope_ = 0;  ///< change of the moment about the axle by the rotation, times |V| [N m^2]; 0: unknown
 };
 }  // namespace wheel_rail_contact::core

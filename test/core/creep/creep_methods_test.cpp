@@ -90,6 +90,25 @@ TEST(CreepForces, AreMirroredWithTheCreepages)
   }
 }
 
+TEST(CreepForces, OfAPatchAtOtherCreepagesAreThoseOfANewOne)
+{
+  for (const CreepMethod method : creeping_methods)
+  {
+    CreepProblem problem = CreepScene().problem({8e-4, 5e-4, 0.4});
+    problem.friction = {0.3, 0.4, 0.6};
+    const auto solver = makeCreepSolver(method);
+    CreepSolution solution;
+    solver->solve(problem, false, solution);
+    problem.creepage = {7e-4, -2e-4, 0.3};
+    const CreepForce expected = CreepScene::solve(method, problem).force;
+    solver->solveAgain(problem, solution);
+    const double tolerance = (method == CreepMethod::exact ? 1e-3 : 1e-12) * CreepScene::friction_limit;  // of sweeps
+    EXPECT_NEAR(solution.force.x, expected.x, tolerance) << toString(method);
+    EXPECT_NEAR(solution.force.y, expected.y, tolerance) << toString(method);
+    EXPECT_NEAR(solution.force.moment, expected.moment, tolerance * 0.006) << toString(method);
+  }
+}
+
 TEST(CreepForces, WheelThatRollsBackwardIsOneTurnedAroundTheNormal)
 {
   const Creepage creep = {8e-4, 5e-4, 0.4};
