@@ -8,9 +8,12 @@
 namespace simulate_wheelset
 {
 constexpr int most_iterations = 20;
-constexpr double tolerance = 1e-6;      ///< of the velocities of y, and of yaw at 1 m, over the running speed
-constexpr double difference = 1e-5;     ///< for the derivatives, of the same velocities
-constexpr double slow = 0.3;            ///< share that is left of a change, from which the derivatives are renewed
+constexpr double tolerance = 1e-6;   ///< of the velocities of y, and of yaw at 1 m, over the running speed
+constexpr double difference = 1e-5;  ///< for the derivatives, of the same velocities
+constexpr double slow = 0.3;         ///< share that is left of a change, from which the derivatives are renewed
+/// Iterations after which changes that point back are halved: where a contact takes another grid of cells, the force
+/// jumps, and the step ends at the jump.
+constexpr int newton_iterations = 4;
 constexpr double half_distance = 0.75;  ///< of the rails [m], for the roll by the line
 
 const ContactReply& HeldContact::evaluate(const ContactRequest& request)
@@ -111,23 +114,25 @@ const ContactReply& WheelsetDynamics::advance(HeldContact& contact)
   Eigen::Vector2d velocities = Eigen::Vector2d(motion_.y_rate, motion_.yaw_rate) + change_;
   const ContactReply* reply = &contact.evaluate(requestAt(velocities));
   addLine({0.5 * (reply->line_left + reply->line_right), 0.5 * (reply->line_left - reply->line_right) / half_distance});
-  double last = 0;
+  Eigen::Vector2d last = Eigen::Vector2d::Zero();
+  double share = 1;
   for (int i = 0; i < most_iterations; ++i)
   {
     const Eigen::Vector2d value = residual(velocities, *reply);
-    Eigen::Vector2d change = correction_ * value;
+    Eigen::Vector2d change = share * correction_ * value;
     if (change.norm() <= least)
     {
       finish(velocities + change, *reply);
       return *reply;
     }
-    if (i > 0 ? change.norm() > slow * last : steps_ == 0)
+    if (i > 0 ? change.norm() > slow * last.norm() : steps_ == 0)
     {
       differentiate(velocities, value, contact);
-      change = correction_ * value;
+      share *= i >= newton_iterations && change.dot(last) < 0 ? 0.5 : 1;
+      change = share * correction_ * value;
     }
     velocities += change;
-    last = change.norm();
+    last = change;
     reply = &contact.evaluateAgain(requestAt(velocities));
   }
   throw std::runtime_error("the velocities of the wheelset do not converge in a step of " + std::to_string(step_) +
