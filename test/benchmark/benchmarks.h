@@ -45,6 +45,7 @@ class Sweep
     constexpr int steps = 240;
     constexpr double step = 0.05e-3;  // [m]
     const int place = count_++ % (2 * steps);
+    state_.motion.speed = 20;
     state_.y = ((place < steps ? place : 2 * steps - place) - steps / 2) * step;
     return state_;
   }

@@ -3,6 +3,7 @@
 
 #include "benchmarks.h"
 #include "core/balance/patch_result.h"
+#include "core/friction/rolling_wheelset.h"
 #include "core/normal/estimate/islands.h"
 #include "core/stress/stress_search.h"
 #include "wheel_rail_contact/core/creep.h"
@@ -134,6 +135,29 @@ void creep(benchmark::State& state, const core::GridSize& size)
   state.counters["sweeps"] = solution.iterations;
 }
 
+/// Friction in the columns of both wheels of a wheelset that rolls freely, with yaw, from the last tractions.
+template <core::CreepMethod method>
+void friction(benchmark::State& state, const core::GridSize& size)
+{
+  core::ContactModelConfig config = core::manchesterScene();
+  config.creep.method = method;
+  config.contact.cells_along = size.along;
+  config.contact.cells_across = size.across;
+  const core::GridLevels levels(config);
+  core::WheelsetBalance balance(config, levels);
+  core::WheelsetState at = Sweep().next();
+  at.y = 0;
+  balance.solve(at);
+  core::RollingWheelset rolling(config);
+  int unusable = 0;
+  for (auto _ : state)
+  {
+    at.yaw = 1e-3 - at.yaw;
+    unusable += rolling.solve(at, balance).empty() ? 0 : 1;
+  }
+  state.counters["unusable"] = unusable;
+}
+
 /// Search for the highest stresses beneath a patch.
 void stress(benchmark::State& state, const core::GridSize& size)
 {
@@ -190,6 +214,9 @@ void registerSteps()
       add("step/creep/linear/", creep<core::CreepMethod::linear>);
       add("step/creep/fastsim/", creep<core::CreepMethod::fastsim>);
       add("step/creep/exact/", creep<core::CreepMethod::exact>);
+      add("step/friction/linear/", friction<core::CreepMethod::linear>);
+      add("step/friction/fastsim/", friction<core::CreepMethod::fastsim>);
+      add("step/friction/exact/", friction<core::CreepMethod::exact>);
     }
   }
 }

@@ -48,6 +48,12 @@ void registerWheelsets()
     add(std::string("wheelset/cold/") + tolerance, config, Start::cold);
     add(std::string("wheelset/warm/") + tolerance, config, Start::warm);
   }
+  for (const core::CreepMethod method : {core::CreepMethod::fastsim, core::CreepMethod::exact})
+  {
+    core::ContactModelConfig friction = core::manchesterScene();
+    friction.creep.method = method;
+    add(std::string("wheelset_friction/warm/") + toString(method), friction, Start::warm);
+  }
   core::ContactModelConfig stress = core::manchesterScene();
   stress.stress.depths = 16;
   add("wheelset_stress/warm/0.01", stress, Start::warm);
