@@ -92,6 +92,10 @@ void CreepStrips::measure(const CreepProblem& problem)
     strips_.push_back(stripOf(problem, j));
     strips_.back().force *= area;
   }
+  for (int j = 0; j < problem.grid.ny; ++j)
+  {
+    strips_[static_cast<std::size_t>(j)].area = areaOf(problem, j);
+  }
 }
 
 CreepStrips::Ellipse CreepStrips::ellipseOf(const CreepProblem& problem, double first, double end) const
@@ -110,9 +114,19 @@ const std::vector<CreepStrip>& CreepStrips::find(const CreepProblem& problem)
   const Eigen::Index most = std::max<Eigen::Index>(problem.grid.ny, shares_.rows());
   shares_.setZero(most, most);
   creepages_.setZero(most);
+  bool is_same = false;  // all strips that belong together have one ellipse
   for (int j = 0; j < problem.grid.ny; ++j)
   {
+    if (is_same && forceOf(j) > 0)
+    {
+      CreepStrip& strip = strips_[static_cast<std::size_t>(j)];
+      strip.flexibility = (&strip - 1)->flexibility;
+      strip.middle = (&strip - 1)->middle;
+      shares_.col(j) = shares_.col(j - 1);
+      continue;
+    }
     setEllipse(problem, j);
+    is_same = forceOf(j) > 0 && !(forceOf(j - 1) > 0) && hasOnePeak(j);
   }
   return roll(problem);
 }
@@ -128,6 +142,19 @@ const std::vector<CreepStrip>& CreepStrips::roll(const CreepProblem& problem)
     strips_[static_cast<std::size_t>(j)].creepage_x = shares_.col(j).dot(creepages_);
   }
   return strips_;
+}
+
+/// True if the force rises and then falls from a strip on to the first one without force.
+bool CreepStrips::hasOnePeak(int column) const
+{
+  int j = column;
+  for (; forceOf(j + 1) >= forceOf(j); ++j)
+  {
+  }
+  for (; forceOf(j + 1) > 0 && forceOf(j + 1) <= forceOf(j); ++j)
+  {
+  }
+  return !(forceOf(j + 1) > 0);
 }
 
 /// Zero beside the grid.
@@ -151,7 +178,7 @@ void CreepStrips::addTo(Sums& sums, const CreepProblem& problem, int column, dou
 {
   const CreepStrip& strip = strips_[static_cast<std::size_t>(column)];
   const double width = problem.grid.dy, x = strip.centre, y = problem.grid.y(column);
-  const double area = weight * areaOf(problem, column), force = weight * strip.force;
+  const double area = weight * strip.area, force = weight * strip.force;
   sums.area += area;
   sums.first_x += area * x;
   sums.first_y += area * y;

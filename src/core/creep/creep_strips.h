@@ -66,6 +66,7 @@ struct CreepStrip
   double force = 0;         ///< normal force [N]; 0 without load
   double centre = 0;        ///< x of its centre [m]
   double half = 0;          ///< half its length [m]
+  double area = 0;          ///< [m^2]
   Flexibility flexibility;  ///< of its ellipse
   double creepage_x = 0;    ///< mean longitudinal creepage of its ellipse, weighted with the forces [-]
   double middle = 0;        ///< x of the centre of pressure of its ellipse [m]
@@ -98,6 +99,7 @@ class CreepStrips
   struct Sums;
   double forceOf(int column) const;
   double areaOf(const CreepProblem& problem, int column) const;
+  bool hasOnePeak(int column) const;
   void addTo(Sums& sums, const CreepProblem& problem, int column, double weight) const;
   void setEllipse(const CreepProblem& problem, int column);
 
