@@ -82,7 +82,7 @@ Parameters softlyGuided(double y, double duration)
 
 TEST(ClosedLoop, SoftGuidanceEndsInOneLimitCycleFromBothSides)
 {
-  const RunSummary growing = runClosedLoop(softlyGuided(0.0014, 5), *standardContact(), nullptr);
+  const RunSummary growing = runClosedLoop(softlyGuided(0.0015, 5), *standardContact(), nullptr);
   Parameters above = softlyGuided(0, 2);
   above.run.yaw = 0.0065;
   const RunSummary falling = runClosedLoop(above, *standardContact(), nullptr);
