@@ -196,8 +196,11 @@ void openFiles(const ModelFiles& files, const FileSearch& search, NodeConfig& co
     config.model.track.line = openFile(files.line,
                                        [&](const std::string& value)
                                        {
-                                         return std::make_shared<core::TrackLine>(core::readTrackLine(
-                                             search.find(value), config.model.track.gauge, files.line_axes));
+                                         std::string text;
+                                         auto line = std::make_shared<core::TrackLine>(core::readTrackLine(
+                                             search.find(value), config.model.track.gauge, files.line_reading, &text));
+                                         config.notes.push_back("track/line " + value + ": " + text);
+                                         return line;
                                        });
   }
   if (config.model.rail_bending.model == core::RailBendingConfig::Model::compliance)

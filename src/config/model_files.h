@@ -68,7 +68,7 @@ struct ModelFiles
   core::Sides<RailFiles> rail;
   core::Sides<NamedFile> table;  ///< compliance tables
   NamedFile line;                ///< irregularities; empty: the ideal track
-  core::LineAxes line_axes = core::LineAxes::rep103;
+  core::LineReading line_reading;
 };
 
 /// Opens a standard profile by its name, or a file if the name contains a dot or a slash.

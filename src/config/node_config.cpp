@@ -23,17 +23,19 @@ const NumberRule hold_rule{"a whole number from 0 to 200",
 void readLine(ParameterReader& reader, ModelFiles& files)
 {
   using core::LineAxes;
-  const std::string name = "track/line", file = name + "/file", axes = name + "/axes";
-  reader.refuseIf(reader.has(name) && (reader.has(file) || reader.has(axes)), name,
-                  "either a file or a group with file and axes");
-  if (reader.has(axes))
+  const std::string name = "track/line", file = name + "/file", axes = name + "/axes", gap = name + "/longest_gap";
+  reader.read(gap, rules::positive, files.line_reading.longest_gap);
+  const bool has_options = reader.has(axes) || reader.has(gap);
+  reader.refuseIf(reader.has(name) && (reader.has(file) || has_options), name,
+                  "either a file or a group with file, axes and longest_gap");
+  if (has_options)
   {
-    reader.require(file, "the file with these axes");
+    reader.require(file, "the file with these options");
   }
   files.line.parameter = reader.has(file) ? file : name;
   reader.read(name, files.line.value);
   reader.read(file, files.line.value);
-  reader.read(axes, {{"rep103", LineAxes::rep103}, {"railway", LineAxes::railway}}, files.line_axes);
+  reader.read(axes, {{"rep103", LineAxes::rep103}, {"railway", LineAxes::railway}}, files.line_reading.axes);
 }
 
 void readTrack(ParameterReader& reader, NodeConfig& config, ModelFiles& files)

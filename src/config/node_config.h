@@ -43,8 +43,8 @@ struct NodeConfig : ContactParameters
 ///                                               roslaunch) read an unquoted 1:N as the sexagesimal number 60 + N.
 ///                                               The former name track/cant is refused
 ///   track/frame                                 tf name
-///   track/line                                  file with the irregularities, or the group {file, axes}, axes: rep103
-///                                               or railway
+///   track/line                                  file with the irregularities, or the group {file, axes, longest_gap},
+///                                               axes: rep103 or railway, longest_gap [m]
 ///   track/displacement                          none or topic
 ///   track/distance                              pose or topic
 ///   wheelset/{rolling_radius, flange_back_distance, tape_circle}   [m]

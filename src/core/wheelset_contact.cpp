@@ -28,12 +28,15 @@ constexpr double other_force = 0.05;         ///< difference of the forces of an
 struct PlaceRange
 {
   const char* name;
-  double begin, end;  ///< [m]
+  double begin, end;    ///< [m]
+  bool is_gap = false;  ///< unknown between these places, instead of beyond them
 
   /// Reason why a place [m] is rejected.
   std::string reason(double x) const
   {
-    return formatted("the wheelset at %.10g m is outside %s, from %.10g to %.10g m", x, name, begin, end);
+    return formatted(is_gap ? "the wheelset at %.10g m is in a gap of %s, from %.10g to %.10g m (longest_gap)"
+                            : "the wheelset at %.10g m is outside %s, from %.10g to %.10g m",
+                     x, name, begin, end);
   }
 };
 }  // namespace
@@ -177,7 +180,10 @@ class WheelsetContact::Calculation
     const TrackLine* line = config_.track.line.get();
     if (line != nullptr && !line->contains(x))
     {
-      return PlaceRange{"track/line", line->begin(), line->end()};
+      const bool is_inside = x > line->begin() && x < line->end();
+      const std::array<double, 2> ends =
+          is_inside ? *line->gapAt(x) : std::array<double, 2>{line->begin(), line->end()};
+      return PlaceRange{"track/line", ends[0], ends[1], is_inside};
     }
     for (const Side side : sides)
     {

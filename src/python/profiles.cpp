@@ -298,6 +298,7 @@ void bindCells(py::module& module)
       .def("rewind", [](CellFile& cells) { cells.table.rewind(); })
       .def("__iter__", [](const py::object& cells) { return cells; })
       .def("__next__", &CellFile::next);
+  module.def("is_missing", &core::isMissing);
   module.def("plain_number",
              [](const std::string& cell)
              {

@@ -135,5 +135,6 @@ TEST_F(LineParameter, MistakesAreRefusedWithTheNameOfTheParameter)
   expectRefused("line: {axes: railway}", "/contact_node/track/line/file is missing");
   expectRefused("line: {file: line.csv, axes: down}", "/contact_node/track/line/axes = down");
   expectRefused("line: {file: line.csv, axes: down}", "rep103, railway");
+  expectRefused("line: {file: line.csv, longest_gap: 0}", "/contact_node/track/line/longest_gap = 0");
   expectRefused("line: {file: line.csv, unit: mm}", "/contact_node/track/line/unit");
 }

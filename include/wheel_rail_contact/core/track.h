@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,15 +41,20 @@ class TrackLine
  public:
   /// @param name      name of the line for messages
   /// @param stations  at least two, x strictly increasing, all values finite
+  /// @param longest_gap  longest distance of two stations across which the line is known [m]
   /// @throw std::invalid_argument if they are not, or a cross level or displacement is above 0.2 m or 0.2 rad.
-  TrackLine(std::string name, const std::vector<LineStation>& stations);
+  TrackLine(std::string name, const std::vector<LineStation>& stations,
+            double longest_gap = std::numeric_limits<double>::infinity());
 
   /// Name of the line or of its file.
   const std::string& name() const { return name_; }
   double begin() const { return x_.front(); }  ///< x of the first station [m]
   double end() const { return x_.back(); }     ///< x of the last station [m]
-  /// True if x [m] is between the first and the last station, or one of them.
-  bool contains(double x) const { return x >= begin() && x <= end(); }
+  /// True if x [m] is a station, or between two that are not farther apart than the longest gap.
+  bool contains(double x) const { return x >= begin() && x <= end() && !gapAt(x); }
+  double longestGap() const { return longest_gap_; }  ///< [m]
+  /// Places between which the line is not known, around x [m], which is from begin() to end(); nothing if it is known.
+  std::optional<std::array<double, 2>> gapAt(double x) const;
   /// Place of the rails at x [m], which must be on the line.
   LineStation at(double x) const;
 
@@ -56,8 +63,11 @@ class TrackLine
   using Quantities = std::array<double, quantities>;
 
   static Quantities quantitiesOf(const LineStation& station);
+  std::size_t stationAfter(double x) const;
+  bool isGap(std::size_t after) const { return x_[after] - x_[after - 1] > longest_gap_; }
 
   std::string name_;
+  double longest_gap_;                       ///< [m]
   std::vector<double> x_;                    ///< [m]
   std::vector<Quantities> values_, slopes_;  ///< at each station, and their slopes along x
 };
@@ -69,12 +79,21 @@ enum class LineAxes
   railway  ///< y right, z down, as in EN 13848-1
 };
 
-/// Reads a line from a table (CSV with comma, semicolon or tab). Lines that begin with #, %, ! or // are comments. The
-/// first line contains names and units of the columns, for example `x [m], gauge [mm], cross_level [mm]`. Units: m, mm,
-/// um, rad, mrad, deg.
+/// How the table of a line is read.
+struct LineReading
+{
+  LineAxes axes = LineAxes::rep103;  ///< of its values
+  /// See TrackLine [m]; 0: three times the median distance of the stations.
+  double longest_gap = 0;
+};
+
+/// Reads a line from a table, by the rules for cells, titles and missing values of the command contact_states. Units:
+/// m, cm, mm, um, in, ft, km, mi; rad, mrad, deg. A row with a missing value is dropped.
 ///
-/// * `x`: along the line; required, increasing.
-/// * After EN 13848-1:2019: `gauge` (whole distance of the gauge faces, at TrackConfig::gauge_depth); `alignment_left`,
+/// * `x`: along the line; required. Or a column `km` and one with the rest, `m`, without units. If it decreases, the
+///   rows are reversed.
+/// * After EN 13848-1:2019: `gauge` (distance of the gauge faces, at TrackConfig::gauge_depth; in all rows the whole
+///   gauge, or in all rows the deviation from the nominal one); `alignment_left`,
 ///   `alignment_right` (lateral position of each gauge face), or `alignment` of the track centre; `level_left`,
 ///   `level_right` (height of each rail top), or `level` of the track centre; `cross_level` (left rail higher:
 ///   positive, in both kinds of axes). A quantity that is not given is that of the ideal track, or follows from the
@@ -83,10 +102,13 @@ enum class LineAxes
 /// * Or the displacement of each rail at the reference point of its head, as in RailDeflection: `rail_lateral_left`
 ///   (outward), `rail_vertical_left`, `rail_roll_left`, and the same with `right`. They must not be mixed with the
 ///   columns of EN 13848-1.
+/// * Other columns are ignored, unless their names resemble one of these.
 ///
 /// @param gauge  nominal gauge, TrackConfig::gauge [m]
-/// @throw std::invalid_argument with the file, the line and the reason.
-TrackLine readTrackLine(const std::string& path, double gauge, LineAxes axes = LineAxes::rep103);
+/// @param understood  receives what was understood, in one line
+/// @throw std::invalid_argument with the file, the line and the reason; also for steps that no track has.
+TrackLine readTrackLine(const std::string& path, double gauge, const LineReading& reading = {},
+                        std::string* understood = nullptr);
 
 /// Position and inclination of the undeflected rails.
 struct TrackConfig

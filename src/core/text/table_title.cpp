@@ -43,6 +43,9 @@ const Units& lengthUnits()
       all[unit.name] = unit.value;
     }
     all["\xC2\xB5m"] = all["\xCE\xBCm"] = all["um"];
+    all["ft"] = all["feet"] = 0.3048;  // of places along a line
+    all["km"] = 1e3;
+    all["mi"] = 1609.344;
     all["inch"] = all["inches"] = all["in"];
     return all;
   }();

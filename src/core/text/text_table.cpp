@@ -161,6 +161,23 @@ void CellTable::rewind()
   }
 }
 
+bool takeUnits(const TextFile& file, const TableRow& row, std::vector<TableTitle>& titles)
+{
+  const std::vector<TableTitle> units = titlesIn(row.cells);
+  const auto unit_of = [](const TableTitle& title) { return title.name.empty() ? title.unit : title.name; };
+  const bool are_units = units.size() == titles.size() &&
+                         std::all_of(units.begin(), units.end(),
+                                     [&](const TableTitle& title)
+                                     { return isUnit(unit_of(title)) && (title.name.empty() || title.unit.empty()); });
+  for (std::size_t i = 0; are_units && i < units.size(); ++i)
+  {
+    file.refuseIf(!titles[i].unit.empty() && titles[i].unit != unit_of(units[i]), row.line,
+                  "unit '" + unit_of(units[i]) + "' contradicts '" + titles[i].unit + "' in the title");
+    titles[i].unit = unit_of(units[i]);
+  }
+  return are_units;
+}
+
 TextTable::TextTable(TextFile& file, const TitleRule& are_titles) : file_(file), cells_(file, true)
 {
   const std::vector<TableRow>& head = cells_.head();
@@ -168,7 +185,7 @@ TextTable::TextTable(TextFile& file, const TitleRule& are_titles) : file_(file),
   {
     titles_ = titlesIn(head.front().cells);
     title_line_ = head.front().line;
-    const std::size_t known = head.size() > 1 && takeUnits(head[1]) ? 2 : 1;
+    const std::size_t known = head.size() > 1 && takeUnits(file_, head[1], titles_) ? 2 : 1;
     unknown_line_ = head.size() > known ? head[known].line : 0;
     return;
   }
@@ -179,24 +196,6 @@ TextTable::TextTable(TextFile& file, const TitleRule& are_titles) : file_(file),
     titles_ = titlesIn(row->cells);
     title_line_ = row->line;
   }
-}
-
-/// Takes the units of the titles from a line of units. @return false if it is none
-bool TextTable::takeUnits(const TableRow& row)
-{
-  const std::vector<TableTitle> units = titlesIn(row.cells);
-  const auto unit_of = [](const TableTitle& title) { return title.name.empty() ? title.unit : title.name; };
-  const bool are_units = units.size() == titles_.size() &&
-                         std::all_of(units.begin(), units.end(),
-                                     [&](const TableTitle& title)
-                                     { return isUnit(unit_of(title)) && (title.name.empty() || title.unit.empty()); });
-  for (std::size_t i = 0; are_units && i < units.size(); ++i)
-  {
-    file_.refuseIf(!titles_[i].unit.empty() && titles_[i].unit != unit_of(units[i]), row.line,
-                   "unit '" + unit_of(units[i]) + "' contradicts '" + titles_[i].unit + "' in the title");
-    titles_[i].unit = unit_of(units[i]);
-  }
-  return are_units;
 }
 
 bool TextTable::next(std::vector<std::string>& fields)

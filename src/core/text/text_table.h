@@ -67,6 +67,10 @@ class CellTable
   std::size_t first_line_ = 0;  ///< number of the line of the first row
 };
 
+/// Takes the units of titles from a row of units below them. @return false if it is none
+/// @throw FileError if a unit contradicts that of a title.
+bool takeUnits(const TextFile& file, const TableRow& row, std::vector<TableTitle>& titles);
+
 /// Table of numbers. *Titles* are the first line of the head, the second one may contain their units; or they are a
 /// comment above the first row. A number may have a decimal comma where commas do not separate the columns.
 class TextTable
@@ -91,8 +95,6 @@ class TextTable
   bool next(std::vector<std::string>& fields);
 
  private:
-  bool takeUnits(const TableRow& row);
-
   TextFile& file_;
   CellTable cells_;
   std::vector<TableTitle> titles_;

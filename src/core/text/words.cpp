@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <locale>
+#include <regex>
 #include <sstream>
 
 namespace wheel_rail_contact::core
@@ -12,6 +13,7 @@ namespace wheel_rail_contact::core
 namespace
 {
 constexpr const char* white_space = " \t\r\n\v\f";
+constexpr std::size_t longest_missing = 100;  ///< sign of a missing value [bytes]
 constexpr const char* exponent_letters = "eEdD";
 
 /// Place of the sign that closes the quotation or bracket that opens at a place; this place if there is none.
@@ -53,6 +55,13 @@ std::optional<double> parseNumber(std::string word)
     return std::nullopt;
   }
   return value;
+}
+
+bool isMissing(const std::string& cell)
+{
+  static const std::regex missing(R"([+-]?nan(\(\w*\))?|[+-]?1\.#(qnan|ind)\d*|#?n/a|na|null|-*)",
+                                  std::regex::ECMAScript | std::regex::icase);
+  return !parseNumber(cell) && cell.size() < longest_missing && std::regex_match(cell, missing);
 }
 
 int decimalPlaces(const std::string& number)

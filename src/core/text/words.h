@@ -10,6 +10,8 @@ namespace wheel_rail_contact::core
 /// Converts a word to a finite number, in any locale; nothing if it is not one. The exponent may begin with e or d
 /// (Fortran).
 std::optional<double> parseNumber(std::string word);
+/// True if a cell contains no value, as programs write it: empty, -, NaN, NA or null.
+bool isMissing(const std::string& cell);
 /// Number of decimal places of a number as written, with a decimal point, without zeros at its end: 1 for "40.60", -1
 /// for "2e1".
 int decimalPlaces(const std::string& number);

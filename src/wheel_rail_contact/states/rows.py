@@ -10,7 +10,6 @@ from .state import State
 SECOND = 10**9                # [ns]
 LAST_STAMP = 2**32 * SECOND   # [ns] stamps of ROS have 32 bits for the seconds
 LISTED = 5                    # lines in a remark
-MISSING = re.compile(r"[+-]?nan(?:\(\w*\))?|[+-]?1\.#(?:qnan|ind)\d*|#?n/a|na|null|-*", re.IGNORECASE)
 THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2},\d{3}", re.ASCII)  # 1,250 is 1.25 or 1250
 
 
@@ -47,7 +46,7 @@ def _number_text(cell, sign, plain_number):
 
     @throw ValueError if the cell contains something else
     """
-    if MISSING.fullmatch(cell):
+    if native().is_missing(cell):
         return ""
     text = plain_number(cell.replace("\u2212", "-"))
     if not text or (sign == "." and "," in cell) or (sign == "," and "." in cell):

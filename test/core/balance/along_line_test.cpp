@@ -178,6 +178,13 @@ TEST_F(LineTest, PlacesOutsideTheLineAreReportedAndKeepTheWarmStart)
     EXPECT_TRUE(result.patches.empty());
     EXPECT_EQ(result.y, outside.y);
   }
+  const std::vector<LineStation> apart{{0, 0, {}}, {5, 0, {}}, {15, 0, {}}};
+  WheelsetContact with_gap(sceneOn(std::make_shared<TrackLine>("apart", apart, 6)));
+  WheelsetState in_gap = states[0];
+  in_gap.distance = 7.5;
+  EXPECT_EQ(with_gap.evaluate(in_gap).status, ContactStatus::outside_line);
+  EXPECT_EQ(with_gap.evaluate(in_gap).reason,
+            "the wheelset at 7.5 m is in a gap of track/line, from 5 to 15 m (longest_gap)");
   WheelsetState invalid_outside = stateAt(std::nan(""), 1e5);
   invalid_outside.distance = -1;
   EXPECT_EQ(contact.evaluate(invalid_outside).status, ContactStatus::invalid_input);
