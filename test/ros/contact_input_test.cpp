@@ -153,6 +153,23 @@ TEST(ContactInput, RotationAboutTheAxleHasNoEffect)
   }
 }
 
+// As the link of a cylinder, whose z axis is along the axle: its yaw would be rounding noise.
+TEST(ContactInput, PoseWhoseYAxisIsNotAlongTheAxleToTheLeftIsRefused)
+{
+  const double half_turn = std::acos(-1.0);
+  EXPECT_EQ(refusal(input(pose(turned(0, -half_turn / 2, 0)))),
+            std::make_pair(int{WheelsetContact::INVALID_INPUT},
+                           std::string("pose: its y axis is not along the axle (roll -90 deg), but its z axis")));
+  EXPECT_EQ(refusal(input(pose(turned(half_turn / 2, 0, 0)))).second,
+            "pose: its y axis is not along the axle (yaw 90 deg), but its x axis");
+  for (const double spin : {0.0, half_turn})  // turned round; y to the right and z down
+  {
+    EXPECT_EQ(refusal(input(pose(turned(half_turn - 1e-3, 0, spin))))
+                  .second.find("pose: its y axis points to the right (yaw 179.9 deg): the vehicle is turned round, or"),
+              0U);
+  }
+}
+
 TEST(ContactInput, QuaternionOfNearlyUnitLengthIsNormalised)
 {
   Eigen::Quaterniond q = turned(0.02, 0.01, 0);

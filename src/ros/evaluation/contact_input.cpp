@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "config/text.h"
+#include "core/constants.h"
 #include "ros/evaluation/conversions.h"
 
 namespace wheel_rail_contact
@@ -83,6 +84,27 @@ Eigen::Isometry3d toTrack(const std_msgs::Header& pose, const std::string& track
   {
     throw UnusableInput(WheelsetContact::NO_TRANSFORM, "pose: no transform from frame '" + shown(frame) + "' to '" +
                                                            track_frame + "' (track/frame): " + shown(error.what()));
+  }
+}
+
+/// Refuses axes in the track frame whose y axis is not along the axle, to the left. Their angles would have no meaning.
+void requireAxle(const Eigen::Matrix3d& axes, const core::WheelsetPose& pose)
+{
+  Eigen::Index nearest = 1;
+  axes.row(1).cwiseAbs().maxCoeff(&nearest);
+  const auto angle = [](const char* name, double value)
+  { return formatted(" (%s %.4g deg)", name, value / core::degree); };
+  if (nearest != 1)
+  {
+    refuse("pose: its y axis is not along the axle" + (nearest == 2 ? angle("roll", pose.roll) + ", but its z axis"
+                                                                    : angle("yaw", pose.yaw) + ", but its x axis"));
+  }
+  if (axes(1, 1) < 0)
+  {
+    refuse(
+        "pose: its y axis points to the right" + angle("yaw", pose.yaw) +
+        ": the vehicle is turned round, or y and z are those of railways. Turn the pose by 180 deg about z; its left "
+        "wheel is then that on the left rail of track/frame");
   }
 }
 
@@ -174,6 +196,7 @@ core::WheelsetState toState(const ContactInput& input, const std::string& track_
   const Eigen::Isometry3d own = toIsometry(input.pose->pose);
   const Eigen::Isometry3d to_track = toTrack(input.pose->header, track_frame, transforms), pose = to_track * own;
   const core::WheelsetPose wheelset = toWheelsetPose(pose);
+  requireAxle(pose.linear(), wheelset);
   state.x = state.distance = pose.translation().x();
   state.y = wheelset.y;
   state.z = wheelset.z;
