@@ -18,6 +18,7 @@ enum ExitStatus
   wrong_arguments = 2,
   input_damaged = 3,
   few_results = 4,
+  doubtful_loads = 5,
   ended_by_signal = 130
 };
 
@@ -78,6 +79,11 @@ ExitStatus run(const wheel_rail_contact::ReplayOptions& options)
               << replay.poses() << " poses have a result of usable input"
               << (replay.resultsOfUsableInput() == replay.results() ? other_rate : "") << '\n';
     return few_results;
+  }
+  if (const std::string doubt = replay.loadDoubt(); !doubt.empty())
+  {
+    std::cerr << "contact_replay: " << options.input << ": " << doubt << '\n';
+    return doubtful_loads;
   }
   return replay.faults().empty() ? done : input_damaged;
 }

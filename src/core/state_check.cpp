@@ -9,7 +9,8 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double angle_limit = 0.2;         ///< largest accepted yaw and given roll [rad]
+constexpr double angle_limit = 0.2;         ///< largest accepted yaw and roll [rad]
+constexpr double least_load = 1e3;          ///< smallest plausible mean wheel load at the default rolling radius [N]
 constexpr double height_limit = 1.0;        ///< largest accepted axle height, if given [m]
 constexpr double force_limit = 1e8;         ///< largest accepted load [N], [N m]
 constexpr double displacement_limit = 0.1;  ///< largest accepted displacement of a rail [m]
@@ -47,6 +48,10 @@ std::string_view faultOf(const WheelsetState& state, bool height_and_roll_given)
   {
     return "lateral position is not a number";
   }
+  if (std::abs(state.roll) > angle_limit || (height_and_roll_given && std::isnan(state.roll)))
+  {
+    return "roll is not a number or beyond 0.2 rad";
+  }
   if (!within(state.yaw, angle_limit))
   {
     return "yaw is not a number or beyond 0.2 rad";
@@ -71,15 +76,41 @@ std::string_view faultOf(const WheelsetState& state, bool height_and_roll_given)
   {
     return "a velocity of the axle is not a number or beyond 1000 m/s or 10000 rad/s";
   }
-  if (height_and_roll_given && !within(state.roll, angle_limit))
-  {
-    return "roll is not a number or beyond 0.2 rad";
-  }
   if (height_and_roll_given && !within(state.z, height_limit))
   {
     return "height is not a number or beyond 1 m";
   }
   return {};
+}
+
+std::string loadDoubt(double mean, const WheelsetConfig& wheelset)
+{
+  const double scale = wheelset.meanRadius() / WheelsetConfig().meanRadius();
+  return mean <= -least_load * scale * scale ? formatted(
+                                                   "the mean wheel load is %.4g kN, upward: force.z and loads as "
+                                                   "reactions have the other sign",
+                                                   1e-3 * mean)
+         : mean < least_load * scale * scale
+             ? formatted("the mean wheel load is %.4g N: loads must be in N, not in kN or t", mean)
+             : "";
+}
+
+void LoadTally::add(const WheelsetState& state, bool lifts)
+{
+  ++count_;
+  lifting_ += lifts ? 1U : 0U;
+  sum_ += state.force_z;
+}
+
+std::string LoadTally::doubt(const WheelsetConfig& wheelset) const
+{
+  constexpr std::uint64_t fewest = 10;
+  if (count_ < fewest || !wheelset.solve_height_and_roll)
+  {
+    return "";
+  }
+  const std::string text = loadDoubt(-0.5 * sum_ / static_cast<double>(count_), wheelset);
+  return !text.empty() || lifting_ < count_ ? text : "a wheel lifts in all results: unit or sign of torque.x?";
 }
 
 std::string tooDeep(double height, double depth)

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <vector>
 
+#include "core/state_check.h"
 #include "python/bindings.h"
 #include "python/contact_model.h"
 
@@ -119,6 +120,11 @@ void bindGeometry(py::module& module)
       [](const std::vector<ParameterSource>& sources)
       { return runningCirclesOf(readContactParameters(sources, fileSearch()).model.wheelset); },
       "as of a model, without the preparation of a contact");
+  module.def(
+      "load_doubt",
+      [](const std::vector<ParameterSource>& sources, double mean)
+      { return core::loadDoubt(mean, readContactParameters(sources, fileSearch()).model.wheelset); },
+      "reason to doubt the unit or sign of loads with this mean wheel load, down positive [N]");
   module.def(
       "contact_geometry",
       [](const ContactModel& model, double y_first, double y_last, double y_step, bool roll, double distance) {

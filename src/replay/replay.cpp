@@ -252,6 +252,10 @@ void Replay::write(const ReplayItem& item)
   if (item.wheelset && !item.resumed)
   {
     counts_.add(item.output.status, item.output.reason, item.output.held);
+    if (!item.output.rejected)
+    {
+      loads_.add(item.output.state, item.output.status == WheelsetContact::LIFT_OFF);
+    }
     if (csv_)
     {
       csv_->write(item.result, item.csv);
@@ -299,6 +303,10 @@ void Replay::printSummary(std::ostream& out) const
       out << "  " << resultTopic(options_.inputs.wheelsets[i]) << ": " << lacking
           << " results lack a neighbour's forces\n";
     }
+  }
+  if (const std::string doubt = loadDoubt(); !doubt.empty())
+  {
+    out << "  " << doubt << "\n";
   }
   const auto& sections = config_.model.rail_sections;
   if ((config_.model.track.line || sections.left || sections.right) && evaluated > 1 && !source_.hasMoved())

@@ -46,6 +46,8 @@ class Replay
   std::uint64_t poses() const { return results_ + source_.droppedPoses(); }
   /// Number of results whose input is usable, including those of the resumed bag; see ResultCounts::unusableInputs().
   std::uint64_t resultsOfUsableInput() const { return results_ - counts_.unusableInputs(); }
+  /// Reason to doubt the loads of this run; empty if there is none.
+  std::string loadDoubt() const { return loads_.doubt(config_.model.wheelset); }
   /// True if fewer than half of the poses of a whole bag have a result of usable input.
   bool lacksMostResults() const { return options_.span.isWhole() && 2 * resultsOfUsableInput() < poses(); }
 
@@ -72,6 +74,7 @@ class Replay
   std::uint64_t last_read_ = 0;                              ///< messages of the input that are processed
   std::vector<std::deque<ReplayItem>> warm_up_;              ///< by wheelset; thread of the reader only
   ResultCounts counts_;                                      ///< of all results in the output, including resumed ones
+  core::LoadTally loads_;                                    ///< of this run
   double seconds_ = 0;
 };
 }  // namespace wheel_rail_contact

@@ -244,7 +244,9 @@ void printReplayUsage(std::ostream& out)
       << describe(options)
       << "\nExit status: 0 done; 1 failed, or IN.bag contains no pair; 2 wrong arguments; 3 done, but parts of IN.bag\n"
          "could not be read; 4 done, but fewer than half of the poses have a result of usable input, that is other\n"
-         "than INVALID_INPUT and NO_TRANSFORM (not with --from or --to); 130 interrupted.\n";
+         "than INVALID_INPUT and NO_TRANSFORM (not with --from or --to); 5 done, but the loads have a doubtful unit "
+         "or\n"
+         "sign; 130 interrupted.\n";
 }
 
 ParameterTree replayParameters(const ReplayOptions& options)

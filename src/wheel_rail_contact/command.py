@@ -100,11 +100,16 @@ def running_circles(config=()):
     return _with_parameters("running_circles", config)
 
 
-def _with_parameters(name, config):
+def load_doubt(mean, config=()):
+    """Reason to doubt the unit or sign of loads with this mean wheel load, down positive [N]; empty if there is none."""
+    return _with_parameters("load_doubt", config, mean)
+
+
+def _with_parameters(name, config, *arguments):
     core = native()
     from .core.contact import sources
     with calculating():
-        return getattr(core, name)(sources(config))
+        return getattr(core, name)(sources(config), *arguments)
 
 
 def pyplot():

@@ -11,6 +11,7 @@ def result(status=WheelsetContact.OK, seconds=1, **quantities):
     message = WheelsetContact(status=status, status_text="" if status == 0 else "a reason")
     message.header.stamp = genpy.Time(seconds)
     if status <= WheelsetContact.LIFT_OFF:
+        message.left_wheel.vertical_force = message.right_wheel.vertical_force = 50e3
         message.patches = [ContactPatch(side=ContactPatch.RIGHT, **quantities)]
     return message
 
@@ -80,6 +81,13 @@ class Bounds(unittest.TestCase):
         self.assertIn("1 results refused, 0 allowed; the first at 1.000 s: OFF_PROFILE: a reason", found["refusals"])
         self.assertIn("1 results with a wheel that carries no load", found["lift_offs"])
         self.assertEqual(violations({"refusals": 1, "lift_offs": 1}, results), {})
+
+    def test_loads_in_kilonewtons_are_a_violation(self):
+        small = result()
+        small.left_wheel.vertical_force, small.right_wheel.vertical_force = 60, 40
+        self.assertEqual(violations({}, [small])["loads"], "the mean wheel load is 50 N, at least 1000 N are required; loads "
+                         "must be in N, and force.z negative")
+        self.assertEqual(violations({"least_load": 40}, [small]), {})
 
     def test_patches_of_a_held_result_are_not_checked(self):
         held = result(max_pressure=3e9)

@@ -14,7 +14,7 @@ from geometry_msgs.msg import PoseStamped, WrenchStamped
 PROGRAM = os.environ["CONTACT_REPLAY"]
 SHIPPED = pathlib.Path(__file__).resolve().parents[2] / "bags" / "manchester_sweep.bag"
 RESULTS = "/contact_node/contact"
-DAMAGED, MISUSED, INTERRUPTED, FEW_RESULTS = 3, 2, 130, 4  # exit statuses
+DAMAGED, MISUSED, INTERRUPTED, FEW_RESULTS, DOUBTFUL_LOADS = 3, 2, 130, 4, 5  # exit statuses
 
 
 def time(nanoseconds):

@@ -4,7 +4,7 @@
 import rosbag
 from wheel_rail_contact.msg import WheelsetContact
 
-from replay_case import FEW_RESULTS, ReplayCase, load, pose, stamp
+from replay_case import DOUBTFUL_LOADS, FEW_RESULTS, ReplayCase, load, pose, stamp
 
 PAIRS = 20
 
@@ -43,6 +43,22 @@ class UnusableInput(ReplayCase):
                 self.assertEqual([result.status for result in self.results(out)], [status] * PAIRS)
                 self.assertIn("20 of 20 poses have a result; the input of 20 of these is unusable", printed)
                 self.assertIn("in.bag: only 0 of 20 poses have a result of usable input", printed.splitlines()[-1])
+
+    def test_loads_of_another_unit_or_sign_do_not_end_with_0(self):
+        for factor, torque, words in ((1e-3, 0, "the mean wheel load is 100 N: loads must be in N, not in kN or t"),
+                                      (-1, 0, "the mean wheel load is -100 kN, upward: "),
+                                      (1, 1e6, "a wheel lifts in all results: unit or sign of torque.x?")):
+            path = self.folder / "loads.bag"
+            with rosbag.Bag(str(path), "w") as bag:
+                for i in range(PAIRS):
+                    message = load(i)
+                    message.wrench.force.z *= factor
+                    message.wrench.torque.x = torque
+                    bag.write("/wheelset/pose", pose(i), stamp(i))
+                    bag.write("/wheelset/load", message, stamp(i))
+            with self.subTest(words=words):
+                _, printed = self.replay(path, f"{torque}{factor}.bag", status=DOUBTFUL_LOADS)
+                self.assertEqual(printed.count(words), 2)  # in the summary, and as the reason of the status
 
     def test_half_of_the_input_must_be_usable(self):
         _, printed = self.replay(self.write(without_direction, 11), "most.bag", status=FEW_RESULTS)

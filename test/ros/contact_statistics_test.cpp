@@ -53,6 +53,32 @@ TEST(ContactStatistics, UsableResultsAreOk)
   EXPECT_EQ(valueOf(report, "last reason"), "the left wheel carries no load");
 }
 
+TEST(ContactStatistics, LoadsOfAnotherUnitOrSignWarn)
+{
+  core::WheelsetConfig wheelset;
+  const auto doubt_of = [&wheelset](double force_z, std::uint8_t status, int count = 10)
+  {
+    ContactOutput output = resultWith(status, "");
+    output.state.force_z = force_z;
+    ContactStatistics now;
+    for (int i = 0; i < count; ++i)
+    {
+      now.count(output);
+    }
+    now.load_doubt = now.loads.doubt(wheelset);
+    const auto report = reportOf(now, {});
+    EXPECT_EQ(report.level, now.load_doubt.empty() ? DiagnosticStatus::OK : DiagnosticStatus::WARN);
+    return now.load_doubt.empty() ? "none" : report.message;
+  };
+  EXPECT_EQ(doubt_of(-2e5, WheelsetContact::OK), "none");
+  EXPECT_EQ(doubt_of(-200, WheelsetContact::OK, 9), "none");
+  EXPECT_EQ(doubt_of(-200, WheelsetContact::OK), "the mean wheel load is 100 N: loads must be in N, not in kN or t");
+  EXPECT_EQ(doubt_of(2e5, WheelsetContact::LIFT_OFF).find("the mean wheel load is -100 kN, upward"), 0U);
+  EXPECT_EQ(doubt_of(-2e5, WheelsetContact::LIFT_OFF), "a wheel lifts in all results: unit or sign of torque.x?");
+  wheelset.rolling_radius = 0.092;  // model scale 1:5: loads are 1/25
+  EXPECT_EQ(doubt_of(-100, WheelsetContact::OK), "none");
+}
+
 TEST(ContactStatistics, NoInputIsOk)
 {
   EXPECT_EQ(reportOf({}, {}).level, DiagnosticStatus::OK);

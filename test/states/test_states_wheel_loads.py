@@ -53,6 +53,11 @@ class WheelLoads(StatesCase):
                 self.assertAlmostEqual(result.left_rail.vertical_force, 40e3, delta=40)
                 self.assertAlmostEqual(result.right_rail.vertical_force, 30e3, delta=30)
 
+    def test_loads_of_another_unit_or_sign_are_named(self):
+        for loads, words in (("60,40", "the mean wheel load is 50 N: loads must be in N"),
+                             ("-60e3,-40e3", "the mean wheel load is -50 kN, upward")):
+            self.assertIn(words, self.convert(f"time [s],y [mm],Q_left [N],Q_right [N]\n1,0,{loads}\n")[1])
+
     def test_tables_without_wheel_loads_need_no_parameters(self):
         printed = self.convert("time [s],y [mm],force_z [N]\n1,0,-9\n", "--config", self.folder / "none.yaml")[1]
         self.assertNotIn("running circles", printed)

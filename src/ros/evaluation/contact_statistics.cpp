@@ -47,6 +47,10 @@ void summarize(const ContactStatistics& now, const ContactStatistics& before,
     report.summaryf(DiagnosticStatus::WARN, "%lu of %lu results not usable: %s", unusable, evaluated,
                     now.last_reason.c_str());
   }
+  else if (evaluated > 0 && !now.load_doubt.empty())
+  {
+    report.summary(DiagnosticStatus::WARN, now.load_doubt);
+  }
   else if (now.implausible_force > before.implausible_force)
   {
     report.summaryf(DiagnosticStatus::WARN, "%lu of %lu results with an implausible wheel force: %s",
@@ -116,6 +120,10 @@ void ContactStatistics::count(const ContactOutput& output)
   {
     ++beyond_linear_range;
     last_beyond_linear_range = output.beyond_linear_range;
+  }
+  if (!output.rejected)
+  {
+    loads.add(output.state, output.status == WheelsetContact::LIFT_OFF);
   }
   const bool is_solved = output.result && !output.held;
   above_tolerance += is_solved && output.result->above_tolerance ? 1U : 0U;

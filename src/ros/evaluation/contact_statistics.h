@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string>
 
+#include "core/state_check.h"
 #include "ros/evaluation/contact_evaluator.h"
 #include "ros/evaluation/stamp_pairing.h"
 
@@ -43,6 +44,8 @@ struct ContactStatistics
   std::uint64_t lacking_neighbour = 0;    ///< results without the forces of a neighbour
   std::uint64_t messages_built = 0;       ///< result messages, built only for subscribers
   std::uint64_t marker_arrays_built = 0;  ///< marker arrays, built only for subscribers
+  core::LoadTally loads;                  ///< of the results
+  std::string load_doubt;                 ///< about `loads`, set for a report
   ServiceCounts services;                 ///< requests, which none of the other members contains
   double solve_time_sum = 0;              ///< of all results [s]
   double solve_time_max = 0;              ///< since the last report [s]

@@ -229,6 +229,11 @@ void ContactServer::report(diagnostic_updater::DiagnosticStatusWrapper& status)
   statistics_.pairing = pairing_.counts();
   statistics_.overload = inputs_.dropped();
   statistics_.services = services_.counts();
+  const std::string before = std::exchange(statistics_.load_doubt, statistics_.loads.doubt(config_.model.wheelset));
+  if (before.empty() && !statistics_.load_doubt.empty())
+  {
+    ROS_WARN("%s: %s", private_nh_.getNamespace().c_str(), statistics_.load_doubt.c_str());
+  }
   diagnose(statistics_, reported_, status);
   reported_ = statistics_;
   statistics_.solve_time_max = 0;

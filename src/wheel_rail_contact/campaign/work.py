@@ -17,7 +17,7 @@ from ..command import Failure, runner
 from .folder import record_of, record_path, write_json
 from .plan import sha256
 
-DONE, DAMAGED, FEW_RESULTS = 0, 3, 4  # exit statuses of contact_replay
+DONE, DAMAGED, FEW_RESULTS, DOUBTFUL_LOADS = 0, 3, 4, 5  # exit statuses of contact_replay
 END_WITH_WORKER = ("setpriv", "--pdeathsig", "KILL")
 # Lines of the summary that contact_replay prints.
 EVALUATED = re.compile(r"^(\d+) pairs evaluated in \S+ s, ", re.MULTILINE)
@@ -41,7 +41,7 @@ def evaluate_slice(task):
         command = [*END_WITH_WORKER, runner("contact_replay"), task["bag"], partial, "--threads", "1", *span,
                    *task["options"]]
         run = subprocess.run(command, cwd=task["folder"], capture_output=True, text=True, check=False)
-        if run.returncode not in (DONE, DAMAGED, FEW_RESULTS):
+        if run.returncode not in (DONE, DAMAGED, FEW_RESULTS, DOUBTFUL_LOADS):
             raise Failure(_last_line(run))
         record = {**_summary(run.stdout), "from": start, "to": end, "faults": _faults(run, task["bag"]),
                   "notes": [] if start else _notes(run.stdout),  # all slices of a bag have the same

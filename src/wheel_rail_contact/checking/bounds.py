@@ -68,6 +68,7 @@ class Limits:
     results: int = 1              # minimum number of results
     refusals: int = 0             # maximum number of results that are not usable
     lift_offs: int = 0            # maximum number of results in which a wheel carries no load
+    least_load: float = 1e3       # smallest mean wheel load; a smaller one is in another unit than N, or has the wrong sign [N]
     implausible_forces: int = 0   # maximum number of usable results with an implausible contact force (implausible_force)
     flange_contact: bool = True   # False: a contact angle of flange_angle or more, of either sign, is a violation
     flange_angle: float = 0.7     # contact angle from which a patch counts as flange contact [rad]
@@ -76,8 +77,8 @@ class Limits:
     bounds: dict = field(default_factory=dict)  # name in QUANTITIES -> (min, max)
 
 
-PARSERS = {"results": whole_number, "refusals": whole_number, "lift_offs": whole_number, "implausible_forces": whole_number,
-           "flange_contact": yes_or_no, "flange_angle": number, "patience": seconds, "idle": seconds}
+PARSERS = {"results": whole_number, "refusals": whole_number, "lift_offs": whole_number, "least_load": number,
+           "implausible_forces": whole_number, "flange_contact": yes_or_no, "flange_angle": number, "patience": seconds, "idle": seconds}
 
 
 def read_limits(parameters):
@@ -115,7 +116,7 @@ def _read_bounds(groups):
 def check_names(limits):
     """Names of the checks. Each one is a test of the rostest."""
     flange = [] if limits.flange_contact else ["flange_contact"]
-    return ["results", "refusals", "lift_offs", "implausible_forces", *flange, *limits.bounds]
+    return ["results", "refusals", "lift_offs", "loads", "implausible_forces", *flange, *limits.bounds]
 
 
 def violation(check, limits, results):
@@ -127,6 +128,8 @@ def violation(check, limits, results):
     if check == "lift_offs":
         return _too_many("with a wheel that carries no load", limits.lift_offs,
                          [r for r in results if STATUSES[r.status] == "LIFT_OFF"])
+    if check == "loads":
+        return _too_light(limits.least_load, [r for r in results if r.status in USABLE and not r.held])
     if check == "implausible_forces":
         return _too_many("with an implausible contact force", limits.implausible_forces,
                          [r for r in results if r.status in USABLE and r.implausible_force])
@@ -139,6 +142,12 @@ def violation(check, limits, results):
 
 def _too_few(limits, results):
     return "" if len(results) >= limits.results else f"{len(results)} results, at least {limits.results} are required"
+
+
+def _too_light(least, results):
+    mean = sum(r.left_wheel.vertical_force + r.right_wheel.vertical_force for r in results) / max(2 * len(results), 1)
+    return "" if not results or mean >= least else (f"the mean wheel load is {mean:.4g} N, at least {least:g} N are required; "
+                                                    "loads must be in N, and force.z negative")
 
 
 def _when(result):

@@ -5,7 +5,7 @@ import re
 from dataclasses import dataclass, field
 from typing import Dict, Optional
 
-from ..command import Failure, calculating, native
+from ..command import Failure, calculating, load_doubt, native
 from .columns import COLUMNS, check_columns, columns_of
 from .rows import Rows, reversed_value
 from .running_circles import RunningCircles
@@ -76,6 +76,9 @@ def _states_of(table, reading):
         remarks.append(f"distance of the running circles: {distance:.9g} m ({source})")
     rows = Rows(table, columns, reading, axes == "railway", distance)
     states = rows.states()
+    if "Q_left" in columns:
+        mean = -0.5 * sum(state.force_z for state in states) / len(states)
+        remarks += filter(None, [load_doubt(mean, reading.running_circles.configs)])
     return states, remarks + rows.remarks, rows.dropped
 
 
