@@ -308,6 +308,11 @@ void Replay::printSummary(std::ostream& out) const
   {
     out << "  " << doubt << "\n";
   }
+  if (const std::uint64_t refused = source_.transforms().refused())
+  {
+    out << "  /tf: " << refused << " transforms not used, the first one: " << source_.transforms().firstRefused()
+        << "\n";
+  }
   const auto& sections = config_.model.rail_sections;
   if ((config_.model.track.line || sections.left || sections.right) && evaluated > 1 && !source_.hasMoved())
   {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "replay/replay_source.h"
 
-#include <tf2/exceptions.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include "core/option_check.h"
@@ -66,7 +65,7 @@ ReplaySource::ReplaySource(const std::string& bag, const NodeConfig& config, con
 {
   for (std::size_t i = 0; i < inputs.wheelsets.size(); ++i)
   {
-    wheelsets_.emplace_back(config, transforms_);
+    wheelsets_.emplace_back(config, transforms_.buffer());
   }
   requireTopics();
   requireTypes();
@@ -271,7 +270,7 @@ void ReplaySource::use(const Use& use, const BagMessage& message)
   {
     for (const auto& transform : parseTransforms(message.data))
     {
-      transforms_.setTransform(transform, "bag", use.role == Role::static_transform);
+      transforms_.add(transform, use.role == Role::static_transform);
     }
     return;
   }

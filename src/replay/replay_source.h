@@ -16,6 +16,7 @@
 #include "bag/bag_stream.h"
 #include "replay/replay_options.h"
 #include "ros/evaluation/contact_evaluator.h"
+#include "ros/evaluation/transform_store.h"
 
 namespace wheel_rail_contact
 {
@@ -67,6 +68,8 @@ class ReplaySource
   std::array<std::uint64_t, PairingCounts::reasons> dropped(std::size_t wheelset) const;
   /// Number of poses of all wheelsets that were dropped in the span.
   std::uint64_t droppedPoses() const;
+  /// Transforms of the bag.
+  const TransformStore& transforms() const { return transforms_; }
   /// True if an input in the span is at another place of the line than 0.
   bool hasMoved() const { return has_moved_; }
   /// Number of inputs in the span that are evaluated without the forces of a neighbour.
@@ -142,7 +145,7 @@ class ReplaySource
   std::set<std::string> results_;  ///< topics of the results of this run
   Uses uses_;
   bool keep_;
-  tf2::BufferCore transforms_;
+  TransformStore transforms_;
   std::deque<Wheelset> wheelsets_;
   BagStream stream_;
   std::deque<ReplayItem> items_;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/evaluation/contact_input.h"
 
-#include <tf2/exceptions.h>
-
 #include <Eigen/Geometry>
 
 #include "config/text.h"
@@ -80,10 +78,12 @@ Eigen::Isometry3d toTrack(const std_msgs::Header& pose, const std::string& track
   {
     return toIsometry(transforms.lookupTransform(track_frame, frame, pose.stamp).transform);
   }
-  catch (const tf2::TransformException& error)
+  catch (const std::exception& error)  // of tf2, and of ros::Time for a stamp at the end of its range
   {
     throw UnusableInput(WheelsetContact::NO_TRANSFORM, "pose: no transform from frame '" + shown(frame) + "' to '" +
-                                                           track_frame + "' (track/frame): " + shown(error.what()));
+                                                           track_frame + "' (track/frame) at the stamp " +
+                                                           std::to_string(pose.stamp.toSec()) + ": " +
+                                                           shown(error.what()));
   }
 }
 
@@ -230,8 +230,15 @@ core::WheelsetState toState(const ContactInput& input, const std::string& track_
 bool InputPreparation::isReady(const ContactInput& input) const
 {
   const std_msgs::Header& header = input.pose->header;
-  return header.frame_id == track_frame_ || !isFrameName(header.frame_id) ||
-         transforms_.canTransform(track_frame_, header.frame_id, header.stamp);
+  try
+  {
+    return header.frame_id == track_frame_ || !isFrameName(header.frame_id) ||
+           transforms_.canTransform(track_frame_, header.frame_id, header.stamp);
+  }
+  catch (const std::exception&)
+  {
+    return true;  // toState() gives the reason
+  }
 }
 
 PreparedInput InputPreparation::prepare(const ContactInput& input)

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <optional>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -42,54 +42,83 @@ struct PairingCounts
   std::uint64_t operator[](DropReason reason) const { return dropped[static_cast<std::size_t>(reason)]; }
 };
 
-/// Samples of several channels that wait for a match, in the order of their stamps.
-///
-/// *Repeated stamps.* A channel may have several samples with one stamp, for example the evaluations of one time step
-/// by a predictor-corrector method. They are numbered from 0: see Entry::repetition.
-///
-/// *Time that goes back.* If a stamp decreases, time has been set back: a bag loops, or a simulation restarts. The
-/// channels do so one after the other.
-/// - The new samples of a channel that has gone back are kept apart until all other channels have gone back, too.
-///   Meanwhile the samples of the other channels are still matched with the old samples of this channel. No set is lost
-///   at the end of a loop, and no set combines samples from before and after the jump.
-/// - A channel whose stamps have not passed the stamp to which another channel went back is treated as gone back, too.
-/// - If a channel passes the stamp at which it went back before all others have followed, it only had a sample out of
-///   order.
+/// Stamps over which a channel went back: from `high` to `low` [ns]. They are equal if a stamp is repeated.
+struct StepBack
+{
+  std::int64_t low, high;
+  std::uint64_t arrival;  ///< of the sample at `low`
+  std::int64_t interval;  ///< sampling interval before it [ns]
+
+  /// True if two channels may have gone back at the same time: the ends differ by less than a sampling interval.
+  bool agreesWith(const StepBack& other, std::int64_t slop) const
+  {
+    const std::int64_t largest = std::max(interval, other.interval) + slop;
+    return std::abs(low - other.low) < largest && std::abs(high - other.high) < largest;
+  }
+  bool covers(std::int64_t stamp, std::int64_t slop = 0) const { return low - slop <= stamp && stamp <= high; }
+};
+
+/// Samples of one channel that wait for a match, in the order of arrival, and its steps back in time.
+template <typename Sample>
+struct StampChannel
+{
+  /// A sample that waits.
+  struct Entry
+  {
+    std::int64_t stamp;     ///< [ns]
+    std::int64_t previous;  ///< stamp of the sample before it [ns], or `none`
+    std::uint64_t arrival;  ///< number among all samples received
+    std::int64_t interval;  ///< last increase of the stamps of the channel [ns]
+    Sample sample;
+    bool used;  ///< it is in a set, but may be needed for another one
+
+    bool goesBack() const { return stamp <= previous; }
+    StepBack step() const { return {stamp, previous, arrival, interval}; }
+  };
+  using Queue = std::deque<Entry>;
+  static constexpr std::int64_t none = std::numeric_limits<std::int64_t>::min();
+
+  Queue waiting;                ///< the first one is the next to be matched
+  std::vector<StepBack> steps;  ///< since the last set, up to the first waiting sample
+  std::int64_t last = none;     ///< stamp of the last sample [ns]
+  std::int64_t interval = 0;    ///< last increase of the stamps [ns]
+  bool begins = true;           ///< no sample yet, or none while the queue of another channel overflowed
+  std::uint64_t dropped = 0;    ///< samples dropped for any reason
+
+  /// Number of visits of a stamp before the present one: how often the channel went back to it or over it.
+  std::ptrdiff_t visits(std::int64_t stamp) const
+  {
+    return std::count_if(steps.begin(), steps.end(), [stamp](const StepBack& step) { return step.covers(stamp); });
+  }
+  /// First sample behind the next one with which the channel goes back over a stamp, or the end.
+  typename Queue::const_iterator nextStepOver(std::int64_t stamp, std::int64_t slop = 0) const
+  {
+    return std::find_if(waiting.begin() + 1, waiting.end(),
+                        [=](const Entry& entry) { return entry.goesBack() && entry.step().covers(stamp, slop); });
+  }
+  /// First sample from `begin` on with at least this stamp, or the end.
+  typename Queue::const_iterator firstFrom(typename Queue::const_iterator begin, std::int64_t stamp) const
+  {
+    return std::find_if(begin, waiting.end(), [stamp](const Entry& entry) { return entry.stamp >= stamp; });
+  }
+};
+
+/// Channels with their waiting samples, and the numbers of samples. The rules are those of StampPairing.
 ///
 /// @tparam Sample a type that is cheap to copy, such as a pointer to a message
 template <typename Sample>
 class StampQueues
 {
  public:
-  /// A sample that waits.
-  struct Entry
-  {
-    std::int64_t stamp;        ///< [ns]
-    std::uint64_t repetition;  ///< number of earlier samples of the channel with this stamp, since time went back
-    std::uint64_t arrival;     ///< number among all samples received
-    Sample sample;
-    bool used;  ///< it is in a set, but may be needed for another one
-  };
-  using Queue = std::deque<Entry>;  ///< in order of stamps, and of repetitions
-
-  /// A channel.
-  struct Channel
-  {
-    Queue waiting;                     ///< samples that can be matched
-    Queue after;                       ///< samples since it went back, until all other channels have gone back
-    std::optional<std::int64_t> last;  ///< stamp of the last sample [ns]
-    std::uint64_t repetitions = 0;     ///< number of samples with this stamp, since the channel went back
-    bool gone_back = false;            ///< it has gone back, and other channels have not
-    std::int64_t left_at = 0;          ///< stamp before it went back [ns]
-    std::uint64_t went_at = 0;         ///< arrival number of the sample with which it went back
-    std::uint64_t dropped = 0;         ///< samples dropped for any reason
-  };
+  using Channel = StampChannel<Sample>;
+  using Queue = typename Channel::Queue;
 
   /// @param channels number of channels, >= 1
   /// @param capacity largest number of waiting samples of a channel, >= 1; if it is exceeded, the oldest is dropped
-  /// @param last_is_unique true: the last channel has one sample for each stamp; further ones are dropped as duplicates
-  StampQueues(std::size_t channels, std::size_t capacity, bool last_is_unique)
-      : channels_(channels), capacity_(capacity), last_is_unique_(last_is_unique)
+  /// @param encloses true: the last channel has one sample for each stamp; further ones are dropped as duplicates. A
+  /// repeated stamp of another channel is then no step back
+  StampQueues(std::size_t channels, std::size_t capacity, bool encloses)
+      : channels_(channels), capacity_(capacity), encloses_(encloses)
   {
   }
 
@@ -99,51 +128,68 @@ class StampQueues
     ++counts_.received;
     const auto time = static_cast<std::int64_t>(stamp.toNSec());
     Channel& own = channels_[channel];
-    const std::uint64_t repetition = own.last && time == *own.last ? own.repetitions : 0;
-    const bool is_duplicate = last_is_unique_ && &own == &channels_.back() && repetition > 0;
+    const bool is_duplicate = encloses_ && &own == &channels_.back() && time == own.last;
     if (stamp.isZero() || is_duplicate)
     {
       ++own.dropped;
       ++counts_[is_duplicate ? DropReason::duplicate : DropReason::unstamped];
       return;
     }
-    if (own.last && time < *own.last)
-    {
-      goBack(own, time);
-    }
-    else if (own.gone_back && time > own.left_at)
-    {
-      rejoin(own);
-    }
+    const std::int64_t previous = own.begins ? begin(own, time) : own.last;
+    own.interval = previous != Channel::none && time > previous ? time - previous : own.interval;
     own.last = time;
-    own.repetitions = repetition + 1;
-    Queue& queue = own.gone_back ? own.after : own.waiting;
-    if (queue.size() == capacity_)
+    if (own.waiting.size() == capacity_)
     {
-      dropOldest(own, queue, DropReason::queue_full);
+      for (Channel& other : channels_)
+      {
+        other.begins = other.begins || other.waiting.empty();
+      }
+      drop(own, DropReason::queue_full);
     }
-    queue.push_back({time, repetition, counts_.received, std::move(sample), false});
+    const bool is_repeated = encloses_ && time == previous;
+    own.waiting.push_back(
+        {time, is_repeated ? previous - 1 : previous, counts_.received, own.interval, std::move(sample), false});
     ++counts_.waiting;
+    if (own.waiting.size() == 1)
+    {
+      noteStep(own);
+    }
   }
 
-  /// Removes the oldest waiting sample of a channel as part of a set.
+  /// Removes the next sample of a channel as part of a set.
   Sample take(Channel& channel)
   {
     Sample sample = std::move(channel.waiting.front().sample);
-    channel.waiting.pop_front();
-    --counts_.waiting;
     ++counts_.paired;
+    removeFirst(channel);
     return sample;
   }
 
-  /// Drops the oldest waiting sample of a channel. A sample that is in a set is counted as paired instead.
-  void drop(Channel& channel, DropReason reason) { dropOldest(channel, channel.waiting, reason); }
+  /// Drops the next sample of a channel. A sample that is in a set is counted as paired instead.
+  void drop(Channel& channel, DropReason reason)
+  {
+    const bool used = channel.waiting.front().used;
+    ++(used ? counts_.paired : counts_[reason]);
+    channel.dropped += used ? 0U : 1U;
+    removeFirst(channel);
+  }
 
   /// Drops all samples of a channel, in the same way.
   void dropAll(Channel& channel, DropReason reason)
   {
-    dropAll(channel, channel.waiting, reason);
-    dropAll(channel, channel.after, reason);
+    while (!channel.waiting.empty())
+    {
+      drop(channel, reason);
+    }
+  }
+
+  /// Begins to count the visits again.
+  void forgetSteps()
+  {
+    for (Channel& channel : channels_)
+    {
+      channel.steps.clear();
+    }
   }
 
   /// Channels in their order.
@@ -154,73 +200,58 @@ class StampQueues
   const PairingCounts& counts() const { return counts_; }
 
  private:
-  void dropOldest(Channel& channel, Queue& queue, DropReason reason)
+  void removeFirst(Channel& channel)
   {
-    const bool used = queue.front().used;
-    queue.pop_front();
+    channel.waiting.pop_front();
     --counts_.waiting;
-    ++(used ? counts_.paired : counts_[reason]);
-    channel.dropped += used ? 0U : 1U;
+    noteStep(channel);
   }
 
-  void dropAll(Channel& channel, Queue& queue, DropReason reason)
+  void noteStep(Channel& channel)
   {
-    while (!queue.empty())
+    if (!channel.waiting.empty() && channel.waiting.front().goesBack())
     {
-      dropOldest(channel, queue, reason);
-    }
-  }
-
-  /// Handles a channel that goes back to a stamp [ns]. When all channels have gone back, the old samples are dropped.
-  void goBack(Channel& own, std::int64_t stamp)
-  {
-    dropAll(own, own.after, DropReason::time_jump);
-    const std::int64_t left_at = own.gone_back ? own.left_at : *own.last;
-    for (Channel& channel : channels_)
-    {
-      if (!channel.gone_back && (&channel == &own || !channel.last || *channel.last <= stamp))
+      if (channel.steps.size() == capacity_)
       {
-        channel.gone_back = true;
-        channel.repetitions = 0;
-        channel.left_at = left_at;
-        channel.went_at = counts_.received;
+        channel.steps.erase(channel.steps.begin());
       }
-    }
-    if (std::all_of(channels_.begin(), channels_.end(), [](const Channel& channel) { return channel.gone_back; }))
-    {
-      restart();
+      channel.steps.push_back(channel.waiting.front().step());
     }
   }
 
-  /// Continues with the samples since the jump.
-  void restart()
+  /// A channel begins with the other ones, if these still have their first sample, or during their last visit of its
+  /// first stamp.
+  /// @return stamp before the first one [ns]
+  std::int64_t begin(Channel& own, std::int64_t stamp)
   {
-    for (Channel& channel : channels_)
-    {
-      dropAll(channel, channel.waiting, DropReason::time_jump);
-      std::swap(channel.waiting, channel.after);
-      channel.gone_back = false;
-    }
-  }
-
-  /// Ends the separation of a channel that only had a sample out of order. Drops the samples of the other channels that
-  /// arrived before that sample: if time was set back nevertheless, they belong to the time before.
-  void rejoin(Channel& own)
-  {
-    dropAll(own, own.after, DropReason::time_jump);
-    own.gone_back = false;
+    own.begins = false;
+    std::int64_t previous = Channel::none;
     for (Channel& other : channels_)
     {
-      while (&other != &own && !other.waiting.empty() && other.waiting.front().arrival < own.went_at)
+      if (!other.waiting.empty() && other.waiting.front().previous == Channel::none &&
+          other.waiting.front().stamp <= stamp)
       {
-        dropOldest(other, other.waiting, DropReason::time_jump);
+        continue;
+      }
+      while (!other.waiting.empty() && other.nextStepOver(stamp) != other.waiting.end())
+      {
+        drop(other, DropReason::time_jump);
+      }
+      const auto last = std::find_if(other.steps.rbegin(), other.steps.rend(),
+                                     [stamp](const StepBack& step) { return step.covers(stamp); });
+      if (last != other.steps.rend())
+      {
+        const StepBack step = *last;
+        other.steps.assign(1, step);
+        previous = std::max(previous, step.high);
       }
     }
+    return previous;
   }
 
   std::vector<Channel> channels_;
   std::size_t capacity_;
-  bool last_is_unique_;
+  bool encloses_;
   PairingCounts counts_;
 };
 }  // namespace wheel_rail_contact

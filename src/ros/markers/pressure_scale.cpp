@@ -12,9 +12,9 @@ using visualization_msgs::MarkerArray;
 
 namespace
 {
-constexpr double unit = 1e9;         ///< upper end of the scale, times a power of two [Pa]
-constexpr double least_upper = 1e6;  ///< smaller pressures do not make the scale smaller [Pa]
-const ros::Duration fall_delay(2);   ///< a lower end must be sufficient for this time
+constexpr double unit = 1e9;                         ///< upper end of the scale, times a power of two [Pa]
+constexpr double least_upper = 1e6;                  ///< smaller pressures do not make the scale smaller [Pa]
+constexpr std::uint64_t fall_delay = 2'000'000'000;  ///< a lower end must be sufficient for this time [ns]
 
 double smallestUpper(double highest)
 {
@@ -36,7 +36,7 @@ double PressureScale::update(const ros::Time& stamp, double highest)
   if (highest > 0)
   {
     const double wanted = smallestUpper(highest);
-    if (wanted >= upper_ || stamp - needed_ > fall_delay)
+    if (wanted >= upper_ || stamp.toNSec() > needed_.toNSec() + fall_delay)
     {
       upper_ = wanted;
       needed_ = stamp;

@@ -22,11 +22,10 @@ ContactServer::ContactServer(const ros::NodeHandle& nh, const ros::NodeHandle& p
       private_nh_(private_nh),
       config_(readNodeParameters(private_nh_)),
       pairing_(config_),
-      listener_(transforms_, nh_),
       inputs_(input_capacity),
       neighbours_(config_),
-      chain_(config_, transforms_, neighbours_),
-      services_(private_nh_, config_, transforms_, neighbours_),
+      chain_(config_, transforms_.buffer(), neighbours_),
+      services_(private_nh_, config_, transforms_.buffer(), neighbours_),
       pressure_scale_(config_.markers.max_pressure),
       diagnostics_(nh_, private_nh_, private_nh_.getNamespace())
 {
@@ -38,8 +37,8 @@ ContactServer::ContactServer(const ros::NodeHandle& nh, const ros::NodeHandle& p
   diagnostics_.add("wheel-rail contact", this, &ContactServer::report);
   advertise();
   subscribe();
-  diagnostics_timer_ = nh_.createWallTimer(ros::WallDuration(diagnostics_period),
-                                           [this](const ros::WallTimerEvent&) { diagnostics_.force_update(); });
+  diagnostics_timer_ =
+      nh_.createWallTimer(ros::WallDuration(diagnostics_period), [this](const ros::WallTimerEvent&) { reportNow(); });
   worker_ = std::thread(&ContactServer::work, this);
 }
 
@@ -96,6 +95,28 @@ void ContactServer::subscribe()
     withMessageType(topic, [this, topic](auto type) { subscribeToInput<typename decltype(type)::Message>(topic); });
   }
   subscribeToNeighbours();
+  subscribeToTransforms("/tf", false);
+  subscribeToTransforms("/tf_static", true);
+}
+
+/// tf2_ros::TransformListener would end the process at a stamp near the end of the range of ros::Time.
+void ContactServer::subscribeToTransforms(const std::string& topic, bool is_static)
+{
+  subscribeAtOnce<tf2_msgs::TFMessage>(topic,
+                                       [this, is_static](const boost::shared_ptr<const tf2_msgs::TFMessage>& message)
+                                       {
+                                         const std::lock_guard<std::mutex> lock(mutex_);
+                                         const ros::Time now = ros::Time::now();
+                                         if (now < last_transform_)
+                                         {
+                                           transforms_.clear();
+                                         }
+                                         last_transform_ = now;
+                                         for (const auto& transform : message->transforms)
+                                         {
+                                           transforms_.add(transform, is_static);
+                                         }
+                                       });
 }
 
 template <typename Message>
@@ -221,6 +242,19 @@ void ContactServer::publishMarkers(const ContactOutput& output)
   next_picture_ = ros::WallTime::now() + ros::WallDuration(1 / config_.markers.rate);
   const std::lock_guard<std::mutex> lock(mutex_);
   ++statistics_.marker_arrays_built;
+}
+
+/// The updater adds to ROS time, which throws at the end of its range.
+void ContactServer::reportNow()
+{
+  try
+  {
+    diagnostics_.force_update();
+  }
+  catch (const std::exception& error)
+  {
+    ROS_ERROR_THROTTLE(warning_period, "%s: no diagnostics: %s", private_nh_.getNamespace().c_str(), error.what());
+  }
 }
 
 void ContactServer::report(diagnostic_updater::DiagnosticStatusWrapper& status)

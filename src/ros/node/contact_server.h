@@ -4,8 +4,7 @@
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/callback_queue_interface.h>
 #include <ros/ros.h>
-#include <tf2_ros/buffer.h>
-#include <tf2_ros/transform_listener.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <mutex>
 #include <thread>
@@ -13,6 +12,7 @@
 
 #include "config/node_config.h"
 #include "ros/evaluation/contact_statistics.h"
+#include "ros/evaluation/transform_store.h"
 #include "ros/markers/marker_tools.h"
 #include "ros/markers/pressure_scale.h"
 #include "ros/node/contact_services.h"
@@ -62,6 +62,7 @@ class ContactServer
   template <typename Message>
   void subscribeToInput(InputTopic topic);
   void subscribeToNeighbours();
+  void subscribeToTransforms(const std::string& topic, bool is_static);
   /// Calls `receive` at the arrival of each message; no message waits in a queue that could drop it.
   template <typename Message>
   void subscribeAtOnce(const std::string& topic,
@@ -74,13 +75,14 @@ class ContactServer
   void warnOfMissingStamp(InputTopic topic, const ros::Time& stamp);
   bool pictureIsDue();
   void publishMarkers(const ContactOutput& output);
+  void reportNow();
   void report(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   ros::NodeHandle nh_, private_nh_;
   const NodeConfig config_;
   InputPairing pairing_;  ///< under `mutex_`, together with pushing to `inputs_`
-  tf2_ros::Buffer transforms_;
-  tf2_ros::TransformListener listener_;
+  TransformStore transforms_;
+  ros::Time last_transform_;  ///< ROS time of the last message on /tf or /tf_static; under `mutex_`
   NewestQueue<ContactInput> inputs_;
 
   std::mutex mutex_;               ///< guards `statistics_` to `warned_of_missing_stamp_`, and `pairing_`
