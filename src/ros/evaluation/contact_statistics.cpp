@@ -3,6 +3,7 @@
 
 #include <numeric>
 
+#include "config/text.h"
 #include "ros/evaluation/conversions.h"
 
 namespace wheel_rail_contact
@@ -155,6 +156,20 @@ std::uint64_t ContactStatistics::usable() const
 std::uint64_t ContactStatistics::dropped() const
 {
   return total(pairing.dropped) - pairing[DropReason::unneeded] + overload;
+}
+
+std::string droppedBetween(const ContactStatistics& before, const ContactStatistics& now)
+{
+  std::string text;
+  const auto add = [&text](std::uint64_t count, const char* reason)
+  { text += count == 0 ? "" : formatted("%s%llu (%s)", text.empty() ? "" : ", ", 0ULL + count, reason); };
+  for (std::size_t i = 0; i < drop_names.size(); ++i)
+  {
+    const bool is_loss = static_cast<DropReason>(i) != DropReason::unneeded;
+    add(is_loss ? now.pairing.dropped[i] - before.pairing.dropped[i] : 0, drop_names[i]);
+  }
+  add(now.overload - before.overload, "pairs too many for the speed of the node");
+  return text;
 }
 
 void diagnose(const ContactStatistics& now, const ContactStatistics& before,

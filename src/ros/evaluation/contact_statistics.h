@@ -63,6 +63,9 @@ struct ContactStatistics
   std::uint64_t dropped() const;
 };
 
+/// Numbers of messages and inputs dropped between two statistics, with the reasons; empty if there are none.
+std::string droppedBetween(const ContactStatistics& before, const ContactStatistics& now);
+
 /// Fills a diagnostic report on the time since the last report.
 ///
 /// ERROR: an internal error, or results of which none is usable. WARN: unusable results, dropped inputs or messages,

@@ -8,6 +8,7 @@ import rospy
 import rostest
 from wheel_rail_contact.msg import WheelsetContact
 
+from ..dropped_inputs import DroppedInputs
 from .bounds import BadParameter, check_names, violation, read_limits
 
 NAME = "contact_check"
@@ -25,9 +26,12 @@ def collect(limits, topic="contact"):
         last[0] = time.monotonic()
 
     subscriber = rospy.Subscriber(topic, WheelsetContact, receive, queue_size=1000, tcp_nodelay=True)
+    dropped = DroppedInputs(topic)
     while not rospy.is_shutdown() and time.monotonic() - last[0] < (limits.idle if results else limits.patience):
         time.sleep(0.02)
     subscriber.unregister()
+    if text := dropped.text():
+        print(text, flush=True)
     return results
 
 
