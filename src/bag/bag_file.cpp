@@ -100,7 +100,8 @@ void appendRecord(const BagFields& header, std::string_view data, std::string& b
 
 constexpr std::uint32_t longest_header = 1 << 20;  ///< a record with a longer header is damaged [B]
 
-BagFile::BagFile(const std::string& path) : path_(path), descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC))
+BagFile::BagFile(const std::string& path)
+    : path_(path), descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK))
 {
   struct stat status = {};
   if (descriptor_ < 0 || fstat(descriptor_, &status) != 0)
@@ -110,6 +111,7 @@ BagFile::BagFile(const std::string& path) : path_(path), descriptor_(open(path.c
   size_ = static_cast<std::uint64_t>(status.st_size);
   try
   {
+    refuseBagIf(!S_ISREG(status.st_mode), path + ": not a regular file");
     readBagHeader();
   }
   catch (...)

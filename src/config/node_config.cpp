@@ -14,6 +14,7 @@ namespace wheel_rail_contact
 namespace
 {
 constexpr double longest_time = 60;  ///< of sync/slop and sync/longest_gap [s]
+constexpr std::size_t longest_frame = 1000;
 const NumberRule slop_rule{"a number of seconds from 0 to 60", [](double v) { return v >= 0 && v <= longest_time; }};
 const NumberRule gap_rule{"a number of seconds above 0, at most 60",
                           [](double v) { return v > 0 && v <= longest_time; }};
@@ -44,8 +45,9 @@ void readTrack(ParameterReader& reader, NodeConfig& config, ModelFiles& files)
   reader.read("track/gauge", rules::finite, track.gauge);
   reader.read("track/gauge_depth", rules::finite, track.gauge_depth);
   reader.read("track/frame", config.track_frame);
-  reader.refuseIf(config.track_frame.empty() || config.track_frame[0] == '/', "track/frame",
-                  "the name of a tf frame, without a leading slash");
+  reader.refuseIf(
+      config.track_frame.empty() || config.track_frame[0] == '/' || config.track_frame.size() > longest_frame,
+      "track/frame", "the name of a tf frame, without a leading slash, of at most 1000 bytes");
   readLine(reader, files);
   reader.read("track/displacement", {{"none", false}, {"topic", true}}, config.displacement_topic);
   reader.read("track/distance", {{"pose", false}, {"topic", true}}, config.distance_topic);

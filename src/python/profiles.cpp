@@ -18,6 +18,7 @@
 #include "config/model_files.h"
 #include "config/profile_parameters.h"
 #include "config/text.h"
+#include "core/option_check.h"
 #include "core/profile/curve/measures.h"
 #include "core/text/text_table.h"
 #include "core/text/words.h"
@@ -146,7 +147,10 @@ void bindTable(py::module& module)
           "downward displacement per vertical force [m/N]")
       .def(
           "displacement",
-          [](const Table& file, double lateral_force, double vertical_force, double moment, double inclination) {
+          [](const Table& file, double lateral_force, double vertical_force, double moment, double inclination)
+          {
+            core::refuseIf(!std::isfinite(lateral_force + vertical_force + moment + inclination),
+                           "displacement: forces, moment and inclination must be finite");
             return core::deflectionInTrack(file.table, {lateral_force, vertical_force, moment}, inclination);
           },
           py::arg("lateral_force") = 0.0, py::arg("vertical_force") = 0.0, py::arg("moment") = 0.0,

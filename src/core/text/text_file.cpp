@@ -119,7 +119,7 @@ std::string contentOf(const std::string& path, std::size_t largest)
 {
   const auto refuse = [&path](const std::string& reason) { throw FileError(path, 0, reason); };
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error))
+  if (path.find('\0') != std::string::npos || !std::filesystem::is_regular_file(path, error))
   {
     refuse("no such file");
   }

@@ -38,7 +38,7 @@ YAML::Node groupToYaml(XmlRpc::XmlRpcValue& value)
   YAML::Node node(YAML::NodeType::Map);
   for (auto& entry : value)
   {
-    node[entry.first] = toYaml(entry.second);
+    node.force_insert(entry.first, toYaml(entry.second));  // no search for the name: all names differ
   }
   return node;
 }

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from ..command import Failure
 from .units import unit_of
 
+LONGEST = 1000  # characters of a title with a unit; the time of the search grows with the square
 IN_BRACKETS = re.compile(r"(.*?)\s*\[([^\[\]]*)\]")
 # Other spellings count only if the text is a unit: y(mm), y / mm, y in mm, y_mm.
 OTHERS = tuple(re.compile(pattern) for pattern in
@@ -29,6 +30,8 @@ class Title:
 
 def split_title(text):
     """Name and unit of a title; the unit is None if the title has none."""
+    if len(text) > LONGEST:
+        return text, None
     match = IN_BRACKETS.fullmatch(text)
     if match:
         return match.group(1), match.group(2).strip() or None
@@ -41,7 +44,7 @@ def split_title(text):
 
 def _bare_unit(cell):
     """Text of a cell in a row of units, without brackets."""
-    match = re.fullmatch(r"[\[(]\s*(.*?)\s*[\])]", cell)
+    match = re.fullmatch(r"[\[(]\s*(.*?)\s*[\])]", cell[:LONGEST])
     return match.group(1) if match else cell
 
 
