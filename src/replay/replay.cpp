@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <ostream>
 
+#include "core/option_check.h"
 #include "replay/result_connection.h"
 #include "replay/warm_up.h"
 
@@ -93,6 +94,9 @@ void Progress::print(std::uint64_t read, std::uint64_t results) const
 /// if the output does not exist.
 ReplayOptions withCheckedOutputs(ReplayOptions options)
 {
+  const auto place = [](const std::string& path)
+  { return std::filesystem::weakly_canonical("./" / std::filesystem::path(path)); };
+  core::refuseIf(place(options.csv) == place(options.output), "--csv: is the bag of the results");
   const bool exists = std::filesystem::exists(options.output);
   if (exists && !options.resume)
   {
@@ -308,11 +312,8 @@ void Replay::printSummary(std::ostream& out) const
   {
     out << "  " << doubt << "\n";
   }
-  if (const std::uint64_t refused = source_.transforms().refused())
-  {
-    out << "  /tf: " << refused << " transforms not used, the first one: " << source_.transforms().firstRefused()
-        << "\n";
-  }
+  const std::string refused = source_.transforms().refused();
+  out << (refused.empty() ? "" : "  /tf: " + refused + "\n");
   const auto& sections = config_.model.rail_sections;
   if ((config_.model.track.line || sections.left || sections.right) && evaluated > 1 && !source_.hasMoved())
   {

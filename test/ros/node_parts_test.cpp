@@ -2,6 +2,7 @@
 #include <thread>
 
 #include "../usual_headers.h"
+#include "ros/evaluation/transform_store.h"
 #include "ros/node/newest_queue.h"
 #include "ros/parameters/node_parameters.h"
 
@@ -108,4 +109,25 @@ TEST(NodeParameters, ParameterServerTypesAreConvertedToYaml)
   EXPECT_EQ(tree.at("d").size(), 2U);
   EXPECT_TRUE(tree.at("e").IsSequence());
   EXPECT_TRUE(parameterTree(toYaml(XmlRpc::XmlRpcValue())).empty());
+}
+
+TEST(TransformStore, FarStampCostsOneTransformAndEndsNothing)
+{
+  TransformStore store;
+  geometry_msgs::TransformStamped transform;
+  transform.header.frame_id = "track";
+  transform.child_frame_id = "vehicle";
+  transform.transform.rotation.w = 1;
+  for (const std::uint32_t second : {100U, 101U, 4294967295U, 102U, 3000000000U, 103U})
+  {
+    transform.header.stamp = ros::Time(second, 999000000);
+    store.add(transform, false);
+  }
+  for (const std::uint32_t second : {100U, 101U, 102U, 103U})
+  {
+    EXPECT_TRUE(store.buffer().canTransform("track", "vehicle", ros::Time(second, 999000000))) << second;
+  }
+  EXPECT_EQ(store.refused().find("2 transforms not used, the first one: transform to 'vehicle' with the stamp 42949"),
+            0U)
+      << store.refused();
 }

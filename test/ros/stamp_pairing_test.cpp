@@ -141,24 +141,6 @@ TEST(StampPairing, BagLoopLosesOnlyWaitingSamples)
   EXPECT_EQ(pairing.counts().waiting, 1U);
 }
 
-TEST(StampPairing, NewPosesWaitForLoadsThatGoBackLater)
-{
-  Pairing pairing(2);
-  pairing.addToBoth({1, 2, 3});
-  pairing.add(0, {1, 2, 3});
-  pairing.add(1, {1, 2, 3});
-  EXPECT_EQ(pairing.sets.size(), 6U);
-}
-
-TEST(StampPairing, LateLoadIsPairedAfterThePosesHaveGoneBack)
-{
-  Pairing pairing(2);
-  pairing.addToBoth({50});
-  pairing.add(0, {60, 10});
-  pairing.add(1, {60, 10});
-  EXPECT_EQ(pairing.sets, (Sets{{50, 50}, {60, 60}, {10, 10}}));
-}
-
 TEST(StampPairing, ChannelThatHasNotPassedTheNewTimeNeedNotGoBack)
 {
   Pairing pairing(3);

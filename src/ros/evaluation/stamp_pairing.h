@@ -183,8 +183,7 @@ class StampPairing
   Verdict afterStep(Channel& lower, Channel& upper) const
   {
     const auto &low = lower.waiting.front(), &high = upper.waiting.front();
-    const StepBack& step = *std::find_if(lower.steps.rbegin(), lower.steps.rend(),
-                                         [&low](const StepBack& own) { return own.covers(low.stamp); });
+    const StepBack& step = *lower.lastStepOver(low.stamp);
     const auto end = lower.waiting.cend(), next = lower.waiting.cbegin() + 1;
     const bool is_decrease = step.high > step.low, is_above = high.stamp > step.high;
     const DropReason reason = is_decrease ? DropReason::time_jump : DropReason::unmatched;
@@ -264,18 +263,16 @@ class StampPairing
   bool mayTakeSet(bool ended, std::vector<Set>& sets)
   {
     const std::optional<DropReason> fault = isEnclosing() ? enclose(ended) : std::nullopt;
-    if (fault == DropReason::unneeded)
+    if (!fault)
     {
-      return false;
-    }
-    if (fault)
-    {
-      std::for_each(queues_.channels().begin(), queues_.channels().begin() + static_cast<std::ptrdiff_t>(matched_),
-                    [&](Channel& channel) { queues_.drop(channel, *fault); });
+      sets.push_back(takeSet());
       return true;
     }
-    sets.push_back(takeSet());
-    return true;
+    for (std::size_t i = 0; i < matched_ && fault != DropReason::unneeded; ++i)
+    {
+      queues_.drop(queues_.channels()[i], *fault);
+    }
+    return fault != DropReason::unneeded;
   }
 
   /// Moves the enclosing channel to the samples around the stamp of the first channel.
@@ -295,7 +292,8 @@ class StampPairing
       {
         return DropReason::time_jump;
       }
-      if (visits == wanted || (channel.nextStepOver(stamp) == queue.end() && channel.last > highestStep(first, stamp)))
+      const bool goes_back = channel.nextStepOver(stamp) != queue.end();
+      if (visits == wanted || (!goes_back && channel.last > first.lastStepOver(stamp)->high))
       {
         if (queue[0].stamp >= stamp || (!is_last && queue[1].stamp > stamp))
         {
@@ -310,7 +308,7 @@ class StampPairing
           break;
         }
       }
-      else if (channel.nextStepOver(stamp) == queue.end())
+      else if (!goes_back)
       {
         break;
       }
@@ -333,16 +331,6 @@ class StampPairing
     }
     const bool is_redone = again != nullptr && again->stamp > queue[0].stamp && again->previous < queue[1].stamp;
     return is_redone ? std::optional(DropReason::time_jump) : std::nullopt;
-  }
-
-  static std::int64_t highestStep(const Channel& channel, std::int64_t stamp)
-  {
-    std::int64_t highest = stamp;
-    for (const StepBack& step : channel.steps)
-    {
-      highest = step.covers(stamp) ? std::max(highest, step.high) : highest;
-    }
-    return highest;
   }
 
   Set takeSet()

@@ -90,6 +90,13 @@ struct StampChannel
   {
     return std::count_if(steps.begin(), steps.end(), [stamp](const StepBack& step) { return step.covers(stamp); });
   }
+  /// Last step over a stamp since the last set; null if there is none.
+  const StepBack* lastStepOver(std::int64_t stamp) const
+  {
+    const auto found =
+        std::find_if(steps.rbegin(), steps.rend(), [stamp](const StepBack& step) { return step.covers(stamp); });
+    return found == steps.rend() ? nullptr : &*found;
+  }
   /// First sample behind the next one with which the channel goes back over a stamp, or the end.
   typename Queue::const_iterator nextStepOver(std::int64_t stamp, std::int64_t slop = 0) const
   {
@@ -237,13 +244,10 @@ class StampQueues
       {
         drop(other, DropReason::time_jump);
       }
-      const auto last = std::find_if(other.steps.rbegin(), other.steps.rend(),
-                                     [stamp](const StepBack& step) { return step.covers(stamp); });
-      if (last != other.steps.rend())
+      if (const StepBack* last = other.lastStepOver(stamp))
       {
-        const StepBack step = *last;
-        other.steps.assign(1, step);
-        previous = std::max(previous, step.high);
+        previous = std::max(previous, last->high);
+        other.steps = {*last};
       }
     }
     return previous;

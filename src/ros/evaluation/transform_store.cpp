@@ -59,16 +59,10 @@ void TransformStore::clear()
   buffer_.clear();
 }
 
-std::uint64_t TransformStore::refused() const
+std::string TransformStore::refused() const
 {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return refused_;
-}
-
-std::string TransformStore::firstRefused() const
-{
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return first_refused_;
+  return refused_ == 0 ? "" : std::to_string(refused_) + " transforms not used, the first one: " + first_refused_;
 }
 
 void TransformStore::insert(const geometry_msgs::TransformStamped& transform, bool is_static)

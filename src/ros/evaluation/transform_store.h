@@ -25,10 +25,8 @@ class TransformStore
   /// Forgets the transforms that are not static: time went back.
   void clear();
 
-  /// Number of refused transforms.
-  std::uint64_t refused() const;
-  /// The first refused transform, with the reason; empty if there is none.
-  std::string firstRefused() const;
+  /// Number of refused transforms, and the first one with the reason; empty if there are none.
+  std::string refused() const;
   /// The transforms.
   const tf2::BufferCore& buffer() const { return buffer_; }
 

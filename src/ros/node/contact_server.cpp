@@ -13,6 +13,8 @@
 namespace wheel_rail_contact
 {
 constexpr std::uint32_t queue_size = 1000;      ///< of the queues of roscpp [messages]
+constexpr double most_queued_bytes = 1 << 26;   ///< of results that wait for a subscriber
+constexpr double bytes_per_layer = 40e3;        ///< of the values of all cells of a result
 constexpr std::uint32_t marker_queue_size = 2;  ///< small, because old markers are of no use [messages]
 constexpr double diagnostics_period = 1.0;      ///< [s]
 constexpr double warning_period = 10.0;         ///< shortest time between two warnings [s]
@@ -80,9 +82,18 @@ void ContactServer::reportUnevaluated()
   }
 }
 
+/// Number of results that wait for a slow subscriber. Their values of cells are pressure, tractions and layers of
+/// stress.
+std::uint32_t resultQueueSize(const NodeConfig& config)
+{
+  const bool has_creep = config.model.creep.method != core::CreepMethod::none;
+  const int layers = 1 + (has_creep ? 2 : 0) + (config.model.stress.field ? config.model.stress.depths : 0);
+  return static_cast<std::uint32_t>(std::min<double>(queue_size, most_queued_bytes / (bytes_per_layer * layers)));
+}
+
 void ContactServer::advertise()
 {
-  contact_publisher_ = private_nh_.advertise<WheelsetContact>("contact", queue_size);
+  contact_publisher_ = private_nh_.advertise<WheelsetContact>("contact", resultQueueSize(config_));
   marker_publisher_ = private_nh_.advertise<visualization_msgs::MarkerArray>("markers", marker_queue_size);
   profile_publisher_ = private_nh_.advertise<visualization_msgs::MarkerArray>("profiles", 1, true);
   profile_publisher_.publish(profileMarkers(config_));
@@ -270,6 +281,13 @@ void ContactServer::report(diagnostic_updater::DiagnosticStatusWrapper& status)
   }
   diagnose(statistics_, reported_, status);
   reported_ = statistics_;
+  const std::string dropped = droppedBetween(warned_, statistics_);
+  if (!dropped.empty() && ros::WallTime::now() >= next_drop_warning_)
+  {
+    ROS_WARN("%s: inputs dropped: %s", private_nh_.getNamespace().c_str(), dropped.c_str());
+    warned_ = statistics_;
+    next_drop_warning_ = ros::WallTime::now() + ros::WallDuration(warning_period);
+  }
   statistics_.solve_time_max = 0;
 }
 }  // namespace wheel_rail_contact

@@ -85,9 +85,11 @@ class ContactServer
   ros::Time last_transform_;  ///< ROS time of the last message on /tf or /tf_static; under `mutex_`
   NewestQueue<ContactInput> inputs_;
 
-  std::mutex mutex_;               ///< guards `statistics_` to `warned_of_missing_stamp_`, and `pairing_`
-  ContactStatistics statistics_;   ///< without results after ROS has shut down
-  ContactStatistics reported_;     ///< statistics at the last report
+  std::mutex mutex_;              ///< guards `statistics_` to `warned_of_missing_stamp_`, and `pairing_`
+  ContactStatistics statistics_;  ///< without results after ROS has shut down
+  ContactStatistics reported_;    ///< statistics at the last report
+  ContactStatistics warned_;      ///< statistics at the last warning of dropped inputs
+  ros::WallTime next_drop_warning_;
   std::uint64_t input_count_ = 0;  ///< number of inputs pushed to `inputs_`
   bool warned_of_missing_stamp_ = false;
 
