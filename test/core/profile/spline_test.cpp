@@ -163,6 +163,19 @@ TEST(SmoothingSpline, ShapeAndCurvatureOfNoisyProfilesAreReproduced)
   }
 }
 
+TEST(SmoothingSpline, KinkLeavesTheCurveElsewhereSmooth)
+{
+  const double noise = 2e-6;
+  std::vector<SampledPoint> points = sample(rail60E1(), 0.25 * mm, noise);
+  const SampledPoint end = points.back();
+  for (int i = 1; i <= 40; ++i)  // a chamfer of 10 mm at the lower corner of the head
+  {
+    points.push_back({end.y - 0.2 * mm * i, end.z - 0.15 * mm * i});
+  }
+  // As without the chamfer. A single penalty for the whole curve gives 23 1/m.
+  EXPECT_LT(compare(rail60E1(), Profile("rail", smoothingSpline(points, noise)), -9.0 * mm, 9.0 * mm).curvature, 0.8);
+}
+
 TEST(SmoothingSpline, CurvatureIsMoreAccurateThanThatOfTheInterpolatingSpline)
 {
   const Profile rail = rail60E1();

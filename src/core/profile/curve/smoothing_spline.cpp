@@ -26,6 +26,13 @@ constexpr double least_curvature = 3.0;
 constexpr double reference_curvature = 10.0;
 /// Distance beyond the ends of a corner over which the penalty is also reduced [m].
 constexpr double corner_reach = 2e-3;
+/// Number of neighbouring points of a stretch. The curve leaves one with a kink: the mean square deviation of its
+/// points is `kinked` times the target or more, which chance gives to one of 50 000 stretches.
+constexpr std::size_t stretch = 10;
+constexpr double kinked = 4;
+constexpr double relief = 1e-2;          ///< factor of the penalty at such a stretch, in each round
+constexpr int most_rounds = 6;           ///< of fits with less penalty there
+constexpr double most_of_points = 0.25;  ///< share of such stretches above which the noise is not that of the points
 
 std::array<double, cover> basis(double t)
 {
@@ -48,6 +55,7 @@ class PenalisedFit
     right_y_.assign(size, 0.0);
     right_z_.assign(size, 0.0);
     relaxation_.assign(intervals_ - 1, 1.0);
+    relief_ = relaxation_;
     double weights = 0;
     for (const SampledPoint& point : points)
     {
@@ -73,19 +81,17 @@ class PenalisedFit
     }
   }
 
-  /// Fits with the strongest penalty for which the weighted mean square deviation is at most `target` [m²].
+  /// Fits with the strongest penalty for which the weighted mean square deviation is at most `target` [m²]. Where the
+  /// curve has a kink, the penalty is reduced, and the deviations do not count: they would make it vanish everywhere.
   void fitTo(double target)
   {
-    // Logarithms of a negligible and of a dominant penalty. The deviation increases with the penalty.
-    double low = -15.0;
-    double high = 25.0;
-    for (int halving = 0; halving < 30; ++halving)
+    relief_.assign(relief_.size(), 1.0);
+    counts_.assign(samples_.size(), true);
+    fitCounted(target);
+    for (int round = 0; round < most_rounds && relieveKinks(target); ++round)
     {
-      const double middle = 0.5 * (low + high);
-      fit(std::exp(middle));
-      (meanSquare() < target ? low : high) = middle;
+      fitCounted(target);
     }
-    fit(std::exp(low));
   }
 
   /// Adapts the penalty to the curvature of the present fit.
@@ -137,6 +143,52 @@ class PenalisedFit
     SampledPoint point;  ///< weights scaled to the mean 1
   };
 
+  void fitCounted(double target)
+  {
+    // Logarithms of a negligible and of a dominant penalty. The deviation increases with the penalty.
+    double low = -15.0;
+    double high = 25.0;
+    for (int halving = 0; halving < 30; ++halving)
+    {
+      const double middle = 0.5 * (low + high);
+      fit(std::exp(middle));
+      (meanSquare(0, samples_.size(), true) < target ? low : high) = middle;
+    }
+    fit(std::exp(low));
+  }
+
+  /// Reduces the penalty around stretches with a kink. @return false if there is none, or the noise is not that of the
+  /// points
+  bool relieveKinks(double target)
+  {
+    std::vector<std::size_t> found;
+    std::size_t left_out = 0;
+    for (std::size_t first = 0; first + stretch <= samples_.size(); first += stretch)
+    {
+      const bool is_off = meanSquare(first, first + stretch, false) > kinked * target;
+      left_out += is_off || !counts_[first] ? stretch : 0;
+      if (is_off)
+      {
+        found.push_back(first);
+      }
+    }
+    if (found.empty() || static_cast<double>(left_out) > most_of_points * static_cast<double>(samples_.size()))
+    {
+      return false;
+    }
+    const auto reach = static_cast<std::size_t>(std::ceil(corner_reach / step_));
+    for (const std::size_t first : found)
+    {
+      const std::size_t begin = samples_[first].interval, end = samples_[first + stretch - 1].interval + reach;
+      std::fill_n(counts_.begin() + static_cast<std::ptrdiff_t>(first), stretch, false);
+      for (std::size_t row = begin - std::min(begin, reach); row < std::min(end, relief_.size()); ++row)
+      {
+        relief_[row] *= relief;
+      }
+    }
+    return true;
+  }
+
   void fit(double penalty)
   {
     Band band = normal_;
@@ -146,7 +198,7 @@ class PenalisedFit
       {
         for (std::size_t b = a; b < cover; ++b)
         {
-          band[i + a][b - a] += penalty * relaxation_[i] * third_difference[a] * third_difference[b];
+          band[i + a][b - a] += penalty * relaxation_[i] * relief_[i] * third_difference[a] * third_difference[b];
         }
       }
     }
@@ -191,11 +243,20 @@ class PenalisedFit
     return {position, std::hypot(by_noise, 0.5 * change), false};
   }
 
-  double meanSquare() const
+  /// Weighted mean square deviation of the points `first` to `end` (exclusive) [m²].
+  /// @param only_counted  only of those that count
+  double meanSquare(std::size_t first, std::size_t end, bool only_counted) const
   {
     double sum = 0;
-    for (const Sample& sample : samples_)
+    std::size_t count = 0;
+    for (std::size_t i = first; i < end; ++i)
     {
+      if (only_counted && !counts_[i])
+      {
+        continue;
+      }
+      ++count;
+      const Sample& sample = samples_[i];
       double dy = -sample.point.y;
       double dz = -sample.point.z;
       for (std::size_t a = 0; a < cover; ++a)
@@ -205,7 +266,7 @@ class PenalisedFit
       }
       sum += sample.point.weight * (dy * dy + dz * dz);
     }
-    return sum / static_cast<double>(samples_.size());
+    return sum / static_cast<double>(count);
   }
 
   /// Curvature at the middle of B-spline i [1/m], with i from 1 to the second-last.
@@ -260,9 +321,10 @@ class PenalisedFit
   double step_ = 0;  ///< distance of the knots [m]
   Band normal_;      ///< normal matrix of the least squares, without penalty
   Column right_y_, right_z_;
-  Column relaxation_;  ///< factor of the penalty in each row [-]
-  Column y_, z_;       ///< coefficients [m]
-  Band factors_;       ///< of the equations of the last fit
+  Column relaxation_, relief_;  ///< factors of the penalty in each row, by the curvature and at kinks [-]
+  std::vector<bool> counts_;    ///< of each point: false at a kink
+  Column y_, z_;                ///< coefficients [m]
+  Band factors_;                ///< of the equations of the last fit
 };
 
 /// Largest distance of the curve from the polygon through the points, at the points and in the middle between them,

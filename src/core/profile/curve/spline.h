@@ -55,6 +55,7 @@ std::vector<SampledPoint> groupedPoints(const std::vector<SampledPoint>& points)
 /// gives the local curvature. In the second fit the penalty is inversely proportional to the square of this curvature.
 /// A flat crown or tread is therefore smoothed over a greater length than a sharp corner. The strength of the penalty
 /// is chosen to make the mean square deviation noise² (Reinsch, Smoothing by spline functions, Numer. Math. 10, 1967).
+/// Stretches with a kink do not count in it: there, the penalty is reduced in steps.
 ///
 /// Accuracy for standard profiles sampled every 0.25 mm with white noise of 5 um (with the seed of the test): curvature
 /// of crown and tread within about 0.5 1/m (r.m.s.), of a 13 mm corner within 3 1/m of its 77 1/m; shape within 4 um,
