@@ -61,7 +61,7 @@ struct ProfileReading
   enum class Origin
   {
     running_circle,  ///< of a wheel
-    flange_back,     ///< of a wheel: y = 0 is the flange back, 70 mm from the running circle; z = 0 is anywhere
+    flange_back,     ///< of a wheel: y = 0 is the flange back, `tape_circle` from the running circle; z = 0 is anywhere
     crown,           ///< of a rail
     gauge_corner,    ///< of a rail: y = 0 is the gauge face; z = 0 is anywhere
     foot             ///< of a rail: y = 0 is the axis of the rail; z = 0 is anywhere, such as foot or centroid
@@ -82,9 +82,15 @@ struct ProfileReading
   /// True: y changes its sign at the end. For a file of the other side, or of a rail of the right side as it lies in
   /// the track with y to the left.
   bool mirror = false;
+
+  // Dimensions of the vehicle. They are no options of a file.
+  /// Distance of the running circle from the flange back, WheelsetConfig::tape_circle [m]. A file that states another
+  /// one is refused. Default: that of the file, or 70 mm.
+  std::optional<double> tape_circle = std::nullopt;
+  double scale = 1;  ///< of a model, modelScale() [-]: its points are read as those of its original
 };
 
-/// True if all options are equal.
+/// True if all options of the files are equal.
 bool operator==(const ProfileReading& a, const ProfileReading& b);
 
 /// What was understood of a profile file.
@@ -102,6 +108,9 @@ struct ProfileReport
   /// Standard deviation of the points across the curve [m]: estimated from them, or of the rounding of their digits,
   /// the larger of the two; nothing if there are too few points to know it.
   std::optional<double> noise = std::nullopt;
+  /// Inclination of the head of a rail, positive if its top leans towards the track centre [rad]; nothing if its sides
+  /// do not show it.
+  std::optional<double> inclination = std::nullopt;
   double smoothing = 0;  ///< noise for which the profile was smoothed [m]; 0: not smoothed
   std::string remark;    ///< what was ignored; empty if nothing
   std::string text;      ///< all of this in one line
@@ -142,10 +151,10 @@ Profile loadProfile(const std::string& name_or_path, ProfileKind kind, const Pro
 /// * **MiniProf**, in mm, as written by MiniProf for Windows: lines key=value, then the columns listed in ColumnDef.
 ///   Old files begin with `MINIPROF` or `#MINI` and free text. A file without any header is of this format if its name
 ///   ends with `.whl` or `.ban`. Wheel: X from the flange back to the field side, Y towards the flange tip. The running
-///   circle, at X = WheelDiameterTaperline (70 mm if not stated), becomes the origin. Rail: X to the gauge side, Y up.
-///   Xoffset and Yoffset are added; a Tilt other than 0 is rejected. The directions of the axes are inferred from the
-///   measured profiles of worn rails and wheels that come with CONTACT and from the conversion programs of GENSYS, not
-///   from a description by the manufacturer.
+///   circle, at X = WheelDiameterTaperline (wheelset/tape_circle if not stated), becomes the origin. Rail: X to the
+///   gauge side, Y up. Xoffset and Yoffset are added; a Tilt other than 0 is rejected. The directions of the axes are
+///   inferred from the measured profiles of worn rails and wheels that come with CONTACT and from the conversion
+///   programs of GENSYS, not from a description by the manufacturer.
 /// * **Table**: any other file. Columns are separated by commas, semicolons, tabs or spaces, or by the character that
 ///   a first line "sep=;" names, and may be in quotation marks; with another separator than the comma, numbers may have
 ///   a decimal comma. A line of titles names the columns y and z (or x and y) and their unit: `y_mm,z_mm`,
@@ -159,8 +168,10 @@ Profile loadProfile(const std::string& name_or_path, ProfileKind kind, const Pro
 /// The origin of a wheel must be its running circle, within 5 mm in height; the front of its flange, 10 mm below, must
 /// be 30 mm to 55 mm from it. A rail needs no particular origin: if its
 /// top is more than 5 mm above or 20 mm below the origin, z is moved; if the middle of its head is more than 15 mm from
-/// the origin, y is moved. Of the whole outline of a rail, the head is used. A rail may be stored inclined, as it lies
-/// in the track; TrackConfig::rail_inclination must then be 0. Neither is moved for ProfileKind::rail_section.
+/// the origin, y is moved. Of the whole outline of a rail, and of a head with
+/// its underside, the head is used; of several heads the widest one, if it is the last to the field side. A rail may be
+/// stored inclined, as it lies in the track; TrackConfig::rail_inclination must then be 0. Neither is moved for
+/// ProfileKind::rail_section.
 ///
 /// The points may run in either direction. Points at which a measurement runs back by up to 1 mm (two strokes) are
 /// omitted. A point less than 0.05 mm from the preceding one is omitted: over this distance the digits of a file do not

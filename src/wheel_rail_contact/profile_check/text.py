@@ -84,7 +84,7 @@ def _rail(profile, curve):
     gauge = _place(rail["gauge_point"]) if rail["gauge_point"] else "a depth that the profile does not reach"
     lines = [f"top at {_place(rail['top'])}, gauge point at {gauge}",
              f"{_width(curve)}, {_measure(f'{_mm(GAUGE_DEPTH, 0)} below the top', rail['head_width'])}"]
-    if rail["inclination"] is not None:
+    if rail["gauge_side_lean"] is not None and rail["field_side_lean"] is not None:
         lines.append(f"sides {_lean(rail['gauge_side_lean'])} (gauge side) and {_lean(-rail['field_side_lean'])} (field side): if "
                      f"they are not worn, the head is inclined by {_inclination(rail['inclination'])}")
     return lines

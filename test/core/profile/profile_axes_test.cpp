@@ -175,6 +175,70 @@ TEST_F(OriginTest, HeadOfAWholeRailIsUsed)
   }
 }
 
+TEST_F(OriginTest, HeadWithItsUndersideIsUsed)
+{
+  std::vector<Point> points = rail_;
+  const Point left = points.front(), right = points.back();
+  for (int i = 1; i <= 20; ++i)  // 1:3, up to 20 mm towards the web
+  {
+    points.insert(points.begin(), {left.y + 1 * mm * i, left.z - 0.33 * mm * i});
+    points.push_back({right.y - 1 * mm * i, right.z - 0.33 * mm * i});
+  }
+  EXPECT_LT(deviation(read(points, ProfileKind::rail).profile, rail_), of_top);
+}
+
+/// A head of 60E1, and on its gauge side a groove 40 mm wide and 37 mm deep, and a lip.
+/// @param lip  half its width [m]
+/// @param rise  of its top above that of the head [m]
+std::vector<Point> groovedRail(const std::vector<Point>& head, double lip, double rise)
+{
+  std::vector<Point> points;
+  const double floor = head.front().z, middle = head.front().y - 0.040 - lip;
+  for (int i = -50; i <= 50; ++i)
+  {
+    const double share = i / 50.0;
+    points.push_back({middle + lip * share, rise + (floor - rise) * std::pow(share, 4)});
+  }
+  for (int i = 1; i < 80; ++i)
+  {
+    points.push_back({middle + lip + 0.0005 * i, floor});
+  }
+  points.insert(points.end(), head.begin(), head.end());
+  return points;
+}
+
+TEST_F(OriginTest, LipOfAGroovedRailIsNotTakenForItsHead)
+{
+  for (const double rise : {0.0, 0.003, -0.016})
+  {
+    const DescribedProfile rail = read(groovedRail(rail_, 0.011, rise), ProfileKind::rail);
+    EXPECT_LT(deviation(rail.profile, rail_), of_top) << rise;
+    EXPECT_TRUE(contains(rail.report.text, "omitted what lies beside the head"));
+  }
+  EXPECT_TRUE(contains(refusal(groovedRail(rail_, 0.045, 0), ProfileKind::rail), "rail/profile/parts"));
+  EXPECT_TRUE(contains(refusal(scaled(groovedRail(rail_, 0.011, 0), -1, 1), ProfileKind::rail), "or reverse y"));
+}
+
+TEST_F(OriginTest, InclinationOfARailIsReported)
+{
+  std::vector<Point> points;
+  for (const Point& p : rail_)  // down to 14.5 mm: the sides of the head do not show it
+  {
+    if (p.z > -14.5 * mm)
+    {
+      points.push_back({p.y * std::cos(0.025) - p.z * std::sin(0.025), p.z * std::cos(0.025) + p.y * std::sin(0.025)});
+    }
+  }
+  for (const bool reversed : {false, true})
+  {
+    const ProfileReport report = read(scaled(points, reversed ? -1 : 1, 1), ProfileKind::rail).report;
+    ASSERT_TRUE(report.inclination);
+    EXPECT_NEAR(*report.inclination, reversed ? -0.025 : 0.025, 1e-4);  // the points are 0.25 mm apart
+    EXPECT_TRUE(contains(report.text, reversed ? "looks inclined by 1:40 to the field side"
+                                               : "looks inclined by 1:40 towards the track centre"));
+  }
+}
+
 // The end of a rim rises by 20 mm. Turned by half a turn, it looks like a flange, and the flange like nothing of a
 // wheel.
 TEST_F(OriginTest, RimIsNotTakenForAFlange)

@@ -108,7 +108,6 @@ TEST(RailMeasures, OfSidesThatEndOrBendAreEmpty)
   EXPECT_TRUE(cut.head_width);
   EXPECT_FALSE(cut.gauge_side_lean);
   EXPECT_TRUE(cut.field_side_lean);
-  EXPECT_FALSE(cut.inclination());
   const RailMeasures bent =
       railMeasures(polygon({{-38, -40}, {-36, -21.5}, {-35, 0}, {0, 0.5}, {35, 0}, {30, -21.5}, {36, -40}}));
   EXPECT_FALSE(bent.field_side_lean);

@@ -223,9 +223,18 @@ TEST(MiniProfProfile, OriginOfAWheelIsOnTheRunningCircle)
   // Running circle 73.5 mm from the flange back, heights from another reference.
   const CurvePoint origin = s1002Wheel().at(parameterAt(s1002Wheel(), 3.5 * mm));
   const std::vector<Point> raised = moved(changed(points, miniProfWheel), 0, 2);
-  const Profile other = readProfile(
-      folder.write("b.whl", header + "WheelDiameterTaperline=73.5\n" + lines(raised, "\t")), ProfileKind::wheel, {0.0});
+  const std::string path = folder.write("b.whl", header + "WheelDiameterTaperline=73.5\n" + lines(raised, "\t"));
+  const Profile other = readProfile(path, ProfileKind::wheel, {0.0});
   EXPECT_LT(deviation(other, moved(points, -origin.y, -origin.z)), 1e-11);
+
+  // The wheelset has another one: it is refused, or used if the file states none.
+  ProfileReading wheelset{0.0};
+  wheelset.tape_circle = 0.070;
+  EXPECT_TRUE(contains(refusalOf<FileError>([&] { readProfile(path, ProfileKind::wheel, wheelset); }),
+                       "WheelDiameterTaperline = 73.5 mm contradicts wheelset/tape_circle = 70 mm"));
+  wheelset.tape_circle = 0.0735;
+  const std::string silent = folder.write("c.whl", header + lines(raised, " "));
+  EXPECT_LT(deviation(readProfile(silent, ProfileKind::wheel, wheelset), moved(points, -origin.y, -origin.z)), 1e-11);
 }
 
 TEST(MiniProfProfile, WheelThatEndsBesideItsRunningCircleIsRejected)
@@ -257,8 +266,13 @@ TEST(MiniProfProfile, PointsWithoutNoiseAreNotSmoothed)
 {
   const Folder folder;
   const std::vector<Point> points = pointsOf(rail60E1());
-  const std::string path = folder.write("head.ban", lines(changed(points, miniProfRail), " "));
-  EXPECT_LT(deviation(readProfile(path, ProfileKind::rail), points), 1e-12);
+  const std::string rows = lines(changed(points, miniProfRail), " ");
+  for (const char* header : {"", "ColumnDef=X,Y,A,C\n"})  // of four columns, the first two are there
+  {
+    const DescribedProfile rail = describedProfile(folder.write("head.ban", header + rows), ProfileKind::rail);
+    EXPECT_LT(deviation(rail.profile, points), 1e-12);
+    EXPECT_EQ(contains(rail.report.text, "2 columns instead of the 4 of ColumnDef"), header[0] != 0);
+  }
 }
 
 TEST(MiniProfProfile, OldFilesWithFreeTextAreRead)
@@ -292,7 +306,8 @@ TEST(MiniProfProfile, DamagedFilesAreRejected)
   const auto rejected = [](const std::string& text, std::size_t line, const std::string& reason)
   { expectTextRejected(text, line, reason, ProfileKind::rail, "bad.ban"); };
   rejected("XYPoints=" + std::to_string(count + 1) + "\n" + points, count + 1, "truncated");
-  rejected("ColumnDef=X,Y,A\n" + points, 2, "ColumnDef states 3");
+  rejected("ColumnDef=A,X,Y\n" + points, 2, "ColumnDef states 3");
+  rejected("ColumnDef=X,Y\n" + points + "12.5 1 2\n", count + 2, "number of columns is 3");
   rejected("ColumnDef=X,A\n" + points, 1, "ColumnDef has no Y");
   rejected("Tilt=0.5\n" + points, 1, "Tilt");
   rejected("Xoffset=one\n" + points, 1, "not a plausible number");

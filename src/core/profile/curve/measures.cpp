@@ -17,7 +17,7 @@ constexpr double least_side = 0.004;   ///< height of a side whose lean is deter
 constexpr double straightness = 5e-5;  ///< largest deviation from a line, root mean square [m]
 constexpr int side_points = 100;
 constexpr double scan_spacing = 1e-4;  ///< of the parameters at which a value is compared with zero [m]
-constexpr int halvings = 60;           ///< of an interval, to rounding
+constexpr int halvings = 50;           ///< of an interval, to rounding
 
 /// Value of a point of a curve [m].
 using PointValue = std::function<double(const CurvePoint&)>;
@@ -138,12 +138,74 @@ std::optional<double> leanOfSide(const Profile& profile, double top, double end)
   const double square = yy - y * y - slope * (yz - y * z);
   return square < straightness * straightness ? std::optional(std::atan(slope)) : std::nullopt;
 }
+/// Straight line nearest to the middles of a head, in turned axes: its lean, and the root mean square deviation [m].
+struct MiddleLine
+{
+  double lean, deviation;
+};
+
+/// The line in axes that lean by an angle towards the track centre; nothing if a side ends 8 mm below the top.
+std::optional<MiddleLine> middleLine(const Profile& profile, double angle)
+{
+  constexpr double first = 1e-3, most = 13e-3, least = 8e-3;  // depths [m]
+  constexpr int count = 12;
+  const double c = std::cos(angle), s = std::sin(angle);
+  const auto height = [c, s](const CurvePoint& p) { return c * p.z - s * p.y; };
+  const double top = whereLargest(profile, height, {0, profile.length()}), z_top = height(profile.at(top));
+  const double ends = std::max(height(profile.at(0)), height(profile.at(profile.length())));
+  const double last = std::min(most, z_top - ends - scan_spacing);
+  if (last < least)
+  {
+    return std::nullopt;
+  }
+  double y = 0, z = 0, yy = 0, yz = 0, zz = 0;
+  for (int i = 0; i <= count; ++i)
+  {
+    const double depth = first + (last - first) * i / count;
+    const PointValue above = [&](const CurvePoint& p) { return height(p) - z_top + depth; };
+    const auto left = firstZero(profile, above, top, 0), right = firstZero(profile, above, top, profile.length());
+    if (!left || !right)
+    {
+      return std::nullopt;
+    }
+    double middle = 0;
+    for (const double u : {*left, *right})
+    {
+      const CurvePoint p = profile.at(u);
+      middle += 0.5 * (c * p.y + s * p.z);
+    }
+    y += middle / (count + 1);
+    z -= depth / (count + 1);
+    yy += middle * middle / (count + 1);
+    yz -= middle * depth / (count + 1);
+    zz += depth * depth / (count + 1);
+  }
+  const double lean = (yz - y * z) / (zz - z * z);
+  return MiddleLine{lean, std::sqrt(std::max(0.0, yy - y * y - lean * (yz - y * z)))};
+}
+
+/// Lean of the axis of symmetry of a head towards the track centre [rad]; nothing if it is not symmetric.
+std::optional<double> leanBySymmetry(const Profile& profile)
+{
+  constexpr double most = 0.1;  // [rad]
+  const auto lean = [&](double angle)
+  {
+    const std::optional<MiddleLine> line = middleLine(profile, angle);
+    return line ? line->lean : 0;
+  };
+  if (lean(-most) * lean(most) >= 0)
+  {
+    return std::nullopt;
+  }
+  const double angle = bisected(lean, -most, most);
+  const std::optional<MiddleLine> line = middleLine(profile, angle);
+  return line && line->deviation < straightness ? std::optional(angle) : std::nullopt;
+}
 }  // namespace
 
 std::optional<double> RailMeasures::inclination() const
 {
-  return gauge_side_lean && field_side_lean ? std::optional(-0.5 * (*gauge_side_lean + *field_side_lean))
-                                            : std::nullopt;
+  return gauge_side_lean && field_side_lean ? std::optional(-0.5 * (*gauge_side_lean + *field_side_lean)) : axis_lean;
 }
 
 ParameterRange runningSurface(const Profile& profile, ProfileKind kind)
@@ -183,7 +245,7 @@ WheelMeasures wheelMeasures(const Profile& profile)
 RailMeasures railMeasures(const Profile& profile)
 {
   const double top = whereTop(profile), end = profile.length();
-  RailMeasures measures{placeAt(profile, top), {}, {}, {}, {}, {}, {}};
+  RailMeasures measures{placeAt(profile, top), {}, {}, {}, {}, {}, {}, leanBySymmetry(profile)};
   const auto gauge = whereHeight(profile, measures.top.z - gauge_depth, top, 0);
   measures.gauge_side = placeAt(profile, gauge);
   measures.field_side = placeAt(profile, whereHeight(profile, measures.top.z - gauge_depth, top, end));

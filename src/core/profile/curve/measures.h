@@ -45,9 +45,13 @@ struct RailMeasures
   /// top, is more than 0.05 mm (r.m.s.) from a straight line, or points are missing there. 1:20 on an upright rail:
   /// +0.05 of the gauge side, -0.05 of the field side.
   std::optional<double> gauge_side_lean, field_side_lean;
+  /// Lean of the axis of symmetry of the head down to 13 mm below the top, positive towards the track centre [rad].
+  /// Empty if a side ends less than 8 mm below it, or the middles of the head are more than 0.05 mm (r.m.s.) from a
+  /// straight line.
+  std::optional<double> axis_lean;
 
-  /// Inclination of the axis of the head towards the track centre [rad], from both sides; empty if one has no lean. It
-  /// is right if neither side is worn.
+  /// Inclination of the axis of the head towards the track centre [rad], from both sides if they have a lean, else from
+  /// its symmetry. It is right if neither side is worn.
   std::optional<double> inclination() const;
 };
 

@@ -31,7 +31,7 @@ constexpr double corner_reach = 2e-3;
 constexpr std::size_t stretch = 10;
 constexpr double kinked = 4;
 constexpr double relief = 1e-2;          ///< factor of the penalty at such a stretch, in each round
-constexpr int most_rounds = 6;           ///< of fits with less penalty there
+constexpr int most_rounds = 3;           ///< of fits with less penalty there
 constexpr double most_of_points = 0.25;  ///< share of such stretches above which the noise is not that of the points
 
 std::array<double, cover> basis(double t)

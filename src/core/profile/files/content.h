@@ -21,9 +21,11 @@ struct FileProfile
   bool unit_in_file = false;           ///< the file itself states the unit
   std::optional<ProfileReading::Y> y;  ///< direction of y; nothing: not known
   std::optional<ProfileReading::Z> z;  ///< direction of z; nothing: not known
-  double running_circle = 0;           ///< y of the running circle of a wheel [m]; 0: y is counted from there
+  bool from_flange_back = false;       ///< y of a wheel is counted from its flange back, by the format
+  double running_circle = 0;           ///< y of the running circle of a wheel that the file states [m]; 0: none
   std::optional<double> smoothing;     ///< noise that the file states [m]
   std::optional<int> decimals;         ///< largest number of decimal places of z
+  double magnification = 1;            ///< of the points, relative to those of the file [-]
   std::string remark;                  ///< what was ignored; empty if nothing
 };
 

@@ -19,7 +19,8 @@ std::optional<NoiseEstimate> noiseOf(const FileProfile& content, double unit, co
 {
   const std::optional<NoiseEstimate> estimate = estimatedNoise(points);
   // Standard deviation of a uniform distribution.
-  const double rounding = unit * std::pow(10.0, -content.decimals.value_or(0)) / std::sqrt(12.0);
+  const double rounding =
+      unit * content.magnification * std::pow(10.0, -content.decimals.value_or(0)) / std::sqrt(12.0);
   if (!estimate && rounding < least_noise)
   {
     return std::nullopt;

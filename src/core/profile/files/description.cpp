@@ -5,9 +5,11 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "core/option_check.h"
+#include "core/profile/curve/measures.h"
 #include "core/profile/files/steps.h"
 #include "core/text/formatted.h"
 #include "core/text/table_title.h"
@@ -90,6 +92,65 @@ std::string reportText(const Profile& profile, const ProfileReport& report)
   return text.str();
 }
 
+/// Two remarks, either of which may be empty.
+std::string sentence(const std::string& first, const std::string& second)
+{
+  return first + (first.empty() || second.empty() ? "" : ", ") + second;
+}
+
+/// The inclination of the head of a rail, in words; empty if it is upright or not known.
+std::string inclinationText(const std::optional<double>& inclination)
+{
+  constexpr double least = 0.01;  // the sides of new rails are less askew [rad]
+  return !inclination || std::abs(*inclination) < least
+             ? ""
+             : formatted("looks inclined by 1:%.3g %s", 1 / std::tan(std::abs(*inclination)),
+                         *inclination > 0 ? "towards the track centre" : "to the field side");
+}
+
+/// The content and the options of a model, as if it had full size: all rules hold for it then.
+void enlarge(FileProfile& content, ProfileReading& reading)
+{
+  content.magnification = 1 / reading.scale;
+  for (SampledPoint& p : content.points)
+  {
+    p.y *= content.magnification;
+    p.z *= content.magnification;
+  }
+  content.running_circle *= content.magnification;
+  for (std::optional<double>* length : {&content.smoothing, &reading.smoothing, &reading.tape_circle})
+  {
+    if (*length)
+    {
+      **length *= content.magnification;
+    }
+  }
+  reading.shift_y *= content.magnification;
+  reading.shift_z *= content.magnification;
+}
+
+/// Curve of a spline in full size, reduced to a scale.
+void reduce(double scale, std::vector<ProfileSection>& sections, std::vector<SampledPoint>& points)
+{
+  for (ProfileSection& section : sections)
+  {
+    CubicSection& law = std::get<CubicSection>(section.law);
+    for (int k = 0; k < 4; ++k)
+    {
+      law.y[k] *= std::pow(scale, 1 - k);
+      law.z[k] *= std::pow(scale, 1 - k);
+    }
+    section.length *= scale;
+    section.error.position *= scale;
+    section.error.curvature /= scale;
+  }
+  for (SampledPoint& p : points)
+  {
+    p.y *= scale;
+    p.z *= scale;
+  }
+}
+
 /// @throw std::invalid_argument if an option is out of range.
 void checkReading(const ProfileReading& reading)
 {
@@ -100,27 +161,56 @@ void checkReading(const ProfileReading& reading)
   require(!reading.unit || (*reading.unit > 0 && std::isfinite(*reading.unit)), "unit must be a positive length");
   require(std::abs(reading.shift_y) <= farthest && std::abs(reading.shift_z) <= farthest, "shift must be at most 1 m");
   require(std::isfinite(reading.rotate), "rotate must be finite");
+  require(reading.scale > 0 && reading.scale <= 1, "scale must be above 0, at most 1");
 }
 }  // namespace
 
-DescribedProfile profileOf(const TextFile& file, const FileProfile& content, ProfileKind kind,
-                           const ProfileReading& reading)
+DescribedProfile profileOf(const TextFile& file, FileProfile content, ProfileKind kind, ProfileReading reading)
 {
   checkReading(reading);
-  FramedPoints framed = framedPoints(file, content, kind, reading);
-  std::vector<SampledPoint>& points = framed.placed.points;
+  const double scale = reading.scale;
+  if (scale != 1)
+  {
+    enlarge(content, reading);
+  }
   ProfileReport report;
-  report.remark = content.remark;
-  const std::vector<ProfileSection> sections = curveThrough(file, content, framed.axes.unit, reading, points, report);
+  FramedPoints framed;
+  std::vector<SampledPoint>& points = framed.placed.points;
+  std::vector<ProfileSection> sections;
+  try
+  {
+    framed = framedPoints(file, content, kind, reading);
+    report.remark = sentence(content.remark, framed.placed.remark);
+    sections = curveThrough(file, content, framed.axes.unit, reading, points, report);
+  }
+  catch (const FileError& error)
+  {
+    file.refuse(error.line(), error.reason() + (scale == 1 ? ""
+                                                           : formatted(" (lengths of the points of this 1:%.3g "
+                                                                       "model in full size)",
+                                                                       1 / scale)));
+  }
+  const std::string name = std::filesystem::path(file.path()).filename().string();
+  if (kind == ProfileKind::rail)
+  {
+    report.inclination = railMeasures(Profile(name, sections)).inclination();
+    report.remark = sentence(report.remark, inclinationText(report.inclination));
+  }
+  if (scale != 1)
+  {
+    reduce(scale, sections, points);
+  }
   report.format = content.format;
   report.points = points.size();
   report.omitted = content.points.size() - points.size();
   report.unit = framed.axes.unit;
   report.y = framed.axes.y;
   report.z = framed.axes.z;
-  report.moved_y = framed.placed.moved_y;
-  report.moved_z = framed.placed.moved_z;
-  Profile profile(std::filesystem::path(file.path()).filename().string(), sections);
+  report.moved_y = scale * framed.placed.moved_y;
+  report.moved_z = scale * framed.placed.moved_z;
+  report.noise = report.noise ? std::optional(scale * *report.noise) : std::nullopt;
+  report.smoothing *= scale;
+  Profile profile(name, sections);
   report.text = reportText(profile, report);
   std::vector<FittedPoint> fitted;
   fitted.reserve(points.size());

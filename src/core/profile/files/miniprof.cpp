@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "core/profile/curve/measures.h"
 #include "core/profile/files/content.h"
 #include "core/text/words.h"
 
@@ -84,9 +83,15 @@ class MiniProfReader
                        std::to_string(static_cast<long>(stated_points_)) + " points (XYPoints): truncated");
     const bool is_wheel = kind_ == ProfileKind::wheel;
     content_.format = "MiniProf";
+    if (columns_ > 0 && found_columns_ != columns_)
+    {
+      content_.remark = std::to_string(found_columns_) + " columns instead of the " + std::to_string(columns_) +
+                        " of ColumnDef, of which X and Y are the first";
+    }
     content_.unit = mm;
     content_.y = is_wheel ? ProfileReading::Y::outward : ProfileReading::Y::inward;
     content_.z = is_wheel ? ProfileReading::Z::down : ProfileReading::Z::up;
+    content_.from_flange_back = is_wheel;
     content_.running_circle = is_wheel ? tape_circle_ * mm : 0;
     return content_;
   }
@@ -146,7 +151,11 @@ class MiniProfReader
 
   void readPoint(const std::vector<std::string>& words)
   {
-    if (words.size() < 2 || (columns_ > 0 && words.size() != columns_))
+    // X and Y are known as the first two columns of any number, if it is the same in all lines.
+    const bool begins_with_both = x_column_ + y_column_ == 1;
+    found_columns_ = found_columns_ == 0 ? words.size() : found_columns_;
+    const std::size_t valid = begins_with_both ? found_columns_ : columns_;
+    if (words.size() < 2 || (columns_ > 0 && words.size() != valid))
     {
       file_.refuse(
           "number of columns is " + std::to_string(words.size()) +
@@ -158,12 +167,13 @@ class MiniProfReader
 
   TextFile& file_;
   ProfileKind kind_;
-  std::size_t columns_ = 0;  ///< number of columns; 0: not stated, X and Y are the first two
+  std::size_t columns_ = 0;        ///< number of columns; 0: not stated, X and Y are the first two
+  std::size_t found_columns_ = 0;  ///< of the first point
   std::size_t x_column_ = 0;
   std::size_t y_column_ = 1;
-  double x_offset_ = 0;                                ///< [mm]
-  double y_offset_ = 0;                                ///< [mm]
-  double tape_circle_ = running_circle_distance / mm;  ///< [mm]
+  double x_offset_ = 0;     ///< [mm]
+  double y_offset_ = 0;     ///< [mm]
+  double tape_circle_ = 0;  ///< [mm]; 0: not stated
   double stated_points_ = 0;
   bool free_header_ = false;  ///< old file: its header may contain any text
   FileProfile content_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include "core/profile/curve/measures.h"
@@ -21,28 +20,11 @@ constexpr double highest_top = 0.005, lowest_top = -0.020;
 constexpr double farthest_middle = 0.015;
 /// Least depth at which both sides must be there to find the middle [m].
 constexpr double least_side_depth = 0.001;
-/// Least height of a whole rail, and depth of its head [m].
-constexpr double whole_height = 0.120, head_depth = 0.040;
-constexpr double foot_ratio = 1.3;  ///< least ratio of the widths of foot and head
+constexpr double taper_line_tolerance = 0.5e-3;  ///< of a stated taper line [m]
 
 double topOf(const Points& points)
 {
   return std::max_element(points.begin(), points.end(), isLower)->z;
-}
-
-/// Range of y of the points at most `depth` below the top.
-std::pair<double, double> widthAt(const Points& points, double depth)
-{
-  const double least = topOf(points) - depth;
-  std::pair<double, double> range{INFINITY, -INFINITY};
-  for (const SampledPoint& p : points)
-  {
-    if (p.z >= least)
-    {
-      range = {std::min(range.first, p.y), std::max(range.second, p.y)};
-    }
-  }
-  return range;
 }
 
 /// Depth down to which both sides of the head are there, at most gauge_depth.
@@ -75,33 +57,6 @@ void move(double y, double z, PlacedPoints& placed)
   placed.moved_z += z;
 }
 
-/// True if points are the outline of a rail with its foot.
-bool isWholeRail(const Points& points)
-{
-  const auto [bottom, top] = std::minmax_element(points.begin(), points.end(), isLower);
-  const auto width = [&points](double depth)
-  {
-    const auto [left, right] = widthAt(points, depth);
-    return right - left;
-  };
-  const double height = top->z - bottom->z;
-  return height > whole_height && width(height) > foot_ratio * width(head_depth);
-}
-
-/// Keeps the head of the whole outline of a rail: from the top down to where both sides are widest.
-void cutToHead(Points& points)
-{
-  const auto bottom = std::min_element(points.begin(), points.end(), isLower);
-  std::rotate(points.begin(), bottom, points.end());
-  const auto highest = std::max_element(points.begin(), points.end(), isLower);
-  const double least = highest->z - head_depth;
-  const auto is_below = [least](const SampledPoint& p) { return p.z < least; };
-  const auto last = std::find_if(highest, points.end(), is_below);
-  const auto first = std::find_if(std::make_reverse_iterator(highest), points.rend(), is_below).base();
-  const auto [left, right] = std::minmax_element(first, last, isFartherInward);
-  points = Points(std::min(left, right), std::max(left, right) + 1);
-}
-
 /// Height at y = 0 of the line through the point `before` and the next one [m]; y = 0 is between them.
 double lineBetween(const Points& points, std::size_t before)
 {
@@ -131,21 +86,27 @@ double cubicBetween(const Points& points, std::size_t before)
   return std::isfinite(height) ? height : lineBetween(points, before);
 }
 
-/// @throw FileError if the points do not extend across the running circle that the file states.
-void placeWheel(const TextFile& file, const FileProfile& content, std::optional<Origin> origin, PlacedPoints& placed)
+/// @throw FileError if the running circle that the file states is another one, or the points do not extend across it.
+void placeWheel(const TextFile& file, const FileProfile& content, const ProfileReading& reading, PlacedPoints& placed)
 {
-  const double stated = content.running_circle;
-  const bool from_back = origin ? *origin == Origin::flange_back : stated != 0;
+  const double stated = content.running_circle, given = reading.tape_circle.value_or(stated);
+  file.refuseIf(
+      stated != 0 && std::abs(stated - given) > taper_line_tolerance, 0,
+      "WheelDiameterTaperline = " + millimetres(stated) + " contradicts wheelset/tape_circle = " + millimetres(given));
+  const bool from_back =
+      reading.origin ? *reading.origin == Origin::flange_back : stated != 0 || content.from_flange_back;
   const auto [left, right] = std::minmax_element(placed.points.begin(), placed.points.end(), isFartherInward);
-  if (from_back && stated != 0 && !placed.points.empty() && (left->y > stated || right->y < stated))
+  const double circle = stated != 0 ? stated : reading.tape_circle.value_or(running_circle_distance);
+  if (from_back && !placed.points.empty() && (left->y > circle || right->y < circle))
   {
     file.refuse(0, "points from X = " + millimetres(left->y) + " to " + millimetres(right->y) +
-                       " do not extend across the running circle, X = " + millimetres(stated) +
-                       " (WheelDiameterTaperline): X must be counted from the flange back to the field side");
+                       " do not extend across the running circle, X = " + millimetres(circle) +
+                       " (WheelDiameterTaperline or wheelset/tape_circle): X must be counted from the flange back to "
+                       "the field side");
   }
   if (from_back)
   {
-    move(-(stated != 0 ? stated : running_circle_distance), 0, placed);
+    move(-circle, 0, placed);
     const double height = heightAtOrigin(placed.points);
     move(0, std::isinf(height) ? 0 : -height, placed);
   }
@@ -216,14 +177,11 @@ PlacedPoints placedPoints(const TextFile& file, const FileProfile& content, Prof
   }
   if (kind == ProfileKind::wheel)
   {
-    placeWheel(file, content, reading.origin, placed);
+    placeWheel(file, content, reading, placed);
   }
   else if (kind == ProfileKind::rail && !placed.points.empty())
   {
-    if (isWholeRail(placed.points))
-    {
-      cutToHead(placed.points);
-    }
+    placed.remark = keepHead(file, placed.points);
     placeRail(file, reading.origin, placed);
   }
   move(reading.shift_y, reading.shift_z, placed);

@@ -2,6 +2,8 @@
 // The way from the content of a file to a profile. Each step follows the ones before it.
 #pragma once
 
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "core/profile/files/content.h"
@@ -21,6 +23,7 @@ struct PlacedPoints
 {
   std::vector<SampledPoint> points;
   double moved_y = 0, moved_z = 0;  ///< distances by which the origin was moved outward and up [m]
+  std::string remark{};             ///< what was omitted; empty if nothing
 };
 
 /// Orders points by their height.
@@ -35,6 +38,12 @@ inline bool isFartherInward(const SampledPoint& a, const SampledPoint& b)
   return a.y < b.y;
 }
 
+/// Range of y of the points at most `depth` below the highest one [m].
+std::pair<double, double> widthAt(const std::vector<SampledPoint>& points, double depth);
+/// Keeps the running head of a rail [m]: of a whole rail, of a head with its underside, and of several heads, such as
+/// that of a grooved rail and its lip, the widest one on the field side. @return what was omitted beside it
+/// @throw FileError if the running head of several is not clear.
+std::string keepHead(const TextFile& file, std::vector<SampledPoint>& points);
 /// Height of a curve at y = 0 [m], the nearest to 0 if there are several; infinite if it does not cross y = 0.
 double heightAtOrigin(const std::vector<SampledPoint>& points);
 /// Brings the points to the profile frame: unit, axes, origin, shift, rotation and mirror, in this order.
@@ -80,6 +89,5 @@ std::vector<ProfileSection> curveThrough(const TextFile& file, const FileProfile
 /// Profile of a file, with what was understood.
 /// @throw FileError as above.
 /// @throw std::invalid_argument if an option is out of range.
-DescribedProfile profileOf(const TextFile& file, const FileProfile& content, ProfileKind kind,
-                           const ProfileReading& reading);
+DescribedProfile profileOf(const TextFile& file, FileProfile content, ProfileKind kind, ProfileReading reading);
 }  // namespace wheel_rail_contact::core
