@@ -19,6 +19,21 @@ void validate(const ContactConfig& contact)
           "must be an even number from 4 to 256 (or 0 both along and across)");
 }
 
+namespace
+{
+/// Moduli and stresses far beyond any metal or plastic [Pa]: one in MPa or GPa is below.
+constexpr double least_modulus = 1e9, least_yield = 1e6, most_pascal = 1e13;
+
+void validateMaterial(const Material& material, const std::string& option)
+{
+  validate(material, option);
+  require(material.young >= least_modulus && material.young <= most_pascal, option + "/young", material.young,
+          "must be from 1e9 to 1e13, in Pa");
+  require(material.yield == 0 || (material.yield >= least_yield && material.yield <= most_pascal), option + "/yield",
+          material.yield, "must be 0, or from 1e6 to 1e13, in Pa");
+}
+}  // namespace
+
 void validate(const ContactModelConfig& config)
 {
   for (const Side side : sides)
@@ -35,11 +50,14 @@ void validate(const ContactModelConfig& config)
     }
     refuseIf(config.rail_profile[side] == nullptr && config.rail_sections[side] == nullptr,
              "rail/profile or rail/" + name + "/profile is not set");
-    validate(config.wheel_material[side], optionOf(config.wheel_material, side, "material/wheel", "wheel", "material"));
-    validate(config.rail_material[side], optionOf(config.rail_material, side, "material/rail", "rail", "material"));
+    validateMaterial(config.wheel_material[side],
+                     optionOf(config.wheel_material, side, "material/wheel", "wheel", "material"));
+    validateMaterial(config.rail_material[side],
+                     optionOf(config.rail_material, side, "material/rail", "rail", "material"));
   }
   validate(config.track);
   validate(config.wheelset);
+  checkFit(config);
   validate(config.contact);
   validate(config.stress);
   validate(config.rail_bending);

@@ -227,6 +227,8 @@ TEST(Parameters, EachInvalidValueIsRefusedWithItsName)
       {"wheel: {profile: /nowhere/wheel.csv}", "wheel/profile = /nowhere/wheel.csv: no such file", "wheel.csv"},
       {"material: {wheel: {young: -2.1e11}}", "material/wheel/young", "-2"},
       {"material: {rail: {young: 0}}", "material/rail/young", "0"},
+      {"material: {rail: {young: 210000}}", "material/rail/young = 210000", "from 1e9 to 1e13, in Pa"},
+      {"material: {wheel: {yield: 500}}", "material/wheel/yield = 500", "0, or from 1e6 to 1e13, in Pa"},
       {"material: {rail: {poisson: 0.6}}", "material/rail/poisson", "0.6"},
       {"material: {wheel: {poisson: -1}}", "material/wheel/poisson", "-1"},
       {"stress: {depths: 3}", "stress/depths", "3"},

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "wheel_rail_contact/core/creep.h"
 #include "wheel_rail_contact/core/normal_problem.h"
@@ -59,7 +61,14 @@ struct ContactModelConfig
   CreepConfig creep;               ///< friction of the contacts; default: none
 };
 
-/// Checks that all profiles are set and that every parameter is within its range.
+/// Checks that all profiles are set, that every parameter is within its range, and that the wheelset fits the track
+/// (checkFit()).
 /// @throw std::invalid_argument with the name of the parameter, its value and the broken rule.
 void validate(const ContactModelConfig& config);
+
+/// Checks that the wheelset fits the track. At y = 0 both flanges have a clearance, and both wheels touch the heads of
+/// their rails near the running circles. The flange back of a profile is where wheelset/tape_circle places it.
+/// @return dimensions that are possible, but rarely meant, one sentence each
+/// @throw std::invalid_argument with the dimensions that contradict each other.
+std::vector<std::string> checkFit(const ContactModelConfig& config);
 }  // namespace wheel_rail_contact::core

@@ -146,6 +146,11 @@ struct WheelsetConfig
   double halfBase() const { return 0.5 * flange_back_distance + tape_circle; }
 };
 
+/// Scale of a model of a vehicle on its track [-]: the larger of rolling radius / 0.46 m and gauge / 1.435 m. 1 if this
+/// is above 0.6, because trams and vehicles of narrow gauges have profiles of full size. Limits of lengths scale with
+/// it, those of forces with its square.
+double modelScale(const TrackConfig& track, const WheelsetConfig& wheelset);
+
 /// Checks that every parameter is within its range.
 /// @throw std::invalid_argument with the name of the parameter, its value and the broken rule.
 void validate(const TrackConfig& track);

@@ -32,6 +32,14 @@ std::string_view fault(const LineStation& station)
 }
 }  // namespace
 
+double modelScale(const TrackConfig& track, const WheelsetConfig& wheelset)
+{
+  constexpr double usual_radius = 0.46, usual_gauge = 1.435;  // [m]
+  constexpr double smallest_vehicle = 0.6;
+  const double scale = std::max(wheelset.meanRadius() / usual_radius, track.gauge / usual_gauge);
+  return scale > smallest_vehicle ? 1 : scale;
+}
+
 void validate(const TrackConfig& track)
 {
   requireLength("track/gauge", track.gauge, gauges);

@@ -236,6 +236,7 @@ TEST(CheckRail, IsNotSeenInTheGaugeCornerOfAnotherPart)
   whole.rail_sections = nullptr;
   // The gauge is measured on the crown, because the first part has no gauge face.
   whole.track.gauge_depth = 2e-5;
+  whole.track.gauge = 1.494;
   const Profile rail = rail60E1();
   ContactModelConfig divided = whole;
   divided.rail_sections.left = std::make_shared<const RailSections>(
