@@ -56,8 +56,12 @@ struct ContactParameters
   core::Sides<double> linear_range = std::numeric_limits<double>::infinity();
   std::vector<NeighbourConfig> neighbours;  ///< empty unless rail_bending/model is compliance
   bool displacement_topic = false;          ///< the displacements of the rails are an input: wheelset/rail_displacement
-  bool distance_topic = false;     ///< the place along the line is an input: wheelset/distance; false: x of the pose
-  std::vector<std::string> notes;  ///< what was understood of each profile file, one line each
+  bool distance_topic = false;        ///< the place along the line is an input: wheelset/distance; false: x of the pose
+  std::vector<std::string> notes;     ///< what was understood of each profile file, one line each
+  std::vector<std::string> warnings;  ///< what is possible, but rarely meant, one line each
+
+  /// Notes and warnings, as commands print them.
+  std::vector<std::string> remarks() const;
 };
 
 /// Reads parameters: those of the node, which config/default.yaml explains. Each source is applied over those before. A

@@ -63,6 +63,16 @@ std::string FileSearch::find(const std::string& name) const
   throw std::invalid_argument("no such file: " + name + " (searched: " + core::joined(paths, ", ") + ")");
 }
 
+std::vector<std::string> ContactParameters::remarks() const
+{
+  std::vector<std::string> lines = notes;
+  for (const std::string& warning : warnings)
+  {
+    lines.push_back("warning: " + warning);
+  }
+  return lines;
+}
+
 ContactParameters readContactParameters(const std::vector<ParameterSource>& sources, const FileSearch& search)
 {
   NodeConfig config = readNodeConfig(readParameters(sources, search), "", search);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "config/model_files.h"
 
+#include <cmath>
+
 #include "config/compliance_table_file.h"
+#include "config/text.h"
 
 namespace wheel_rail_contact
 {
@@ -60,8 +63,11 @@ bool isFile(const std::string& name)
 class ProfileFiles
 {
  public:
-  /// @param notes  to which lines are added
-  ProfileFiles(const FileSearch& search, std::vector<std::string>& notes) : search_(search), notes_(notes) {}
+  /// @param config  to which notes and warnings are added
+  ProfileFiles(const FileSearch& search, NodeConfig& config)
+      : search_(search), config_(config), scale_(core::modelScale(config.model.track, config.model.wheelset))
+  {
+  }
 
   /// Opens a shipped profile, or a file if the value contains a dot or a slash.
   std::shared_ptr<const core::Profile> open(const NamedFile& file, core::ProfileKind kind)
@@ -70,10 +76,11 @@ class ProfileFiles
                     [&](const std::string& value)
                     {
                       const std::string name = nameFromNumber(value);
-                      core::DescribedProfile described = openProfile(name, kind, file.reading, search_);
+                      core::DescribedProfile described = openProfile(name, kind, ofVehicle(file.reading), search_);
                       if (isFile(name))
                       {
                         addNote(file, described.report.text);
+                        warnOfInclination(file, described.report.inclination);
                       }
                       return std::make_shared<const core::Profile>(std::move(described.profile));
                     });
@@ -87,7 +94,8 @@ class ProfileFiles
                       [&](const std::string& value)
                       {
                         std::vector<std::string> notes;
-                        core::RailSeries series = core::readRailSlices(search_.find(value), part.reading, notes);
+                        core::RailSeries series =
+                            core::readRailSlices(search_.find(value), ofVehicle(part.reading), notes);
                         for (const std::string& note : notes)
                         {
                           addNote(part.slices, note);
@@ -111,11 +119,36 @@ class ProfileFiles
   {
     std::string line = file.parameter;
     line.append(" = ").append(file.value).append(": ").append(note);
-    notes_.push_back(line);
+    config_.notes.push_back(line);
+  }
+
+  /// Options of a file, with the dimensions of the wheelset.
+  core::ProfileReading ofVehicle(core::ProfileReading reading) const
+  {
+    reading.tape_circle = config_.model.wheelset.tape_circle;
+    reading.scale = scale_;
+    return reading;
+  }
+
+  /// Warns of a rail that is stored inclined and inclined once more, or to the field side.
+  void warnOfInclination(const NamedFile& file, const std::optional<double>& stored)
+  {
+    constexpr double least = 0.01;  // [rad]
+    const core::Sides<double>& added = config_.model.track.rail_inclination;
+    const double more = std::max(std::abs(added.left), std::abs(added.right));
+    if (stored && (*stored < -least || (*stored > least && more > least)))
+    {
+      config_.warnings.push_back(
+          file.parameter + " = " + file.value +
+          formatted(": the file looks inclined by 1:%.3g%s; rail_inclination adds %.3g rad (1:%.3g)",
+                    1 / std::tan(std::abs(*stored)), *stored < 0 ? " to the field side" : "", more,
+                    1 / std::tan(more)));
+    }
   }
 
   const FileSearch& search_;
-  std::vector<std::string>& notes_;
+  NodeConfig& config_;
+  double scale_;  ///< of a model
 };
 
 /// Rail of one side: its profile, or its sections.
@@ -181,7 +214,7 @@ core::DescribedProfile openProfile(const std::string& name, core::ProfileKind ki
 
 void openFiles(const ModelFiles& files, const FileSearch& search, NodeConfig& config)
 {
-  ProfileFiles profiles(search, config.notes);
+  ProfileFiles profiles(search, config);
   config.model.wheel_profile = openBoth(
       files.wheel_profile, [&](const NamedFile& file) { return profiles.open(file, core::ProfileKind::wheel); });
   const core::Sides<OpenRail> rails =

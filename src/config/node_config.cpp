@@ -245,6 +245,10 @@ NodeConfig readNodeConfig(const ParameterTree& tree, const std::string& prefix, 
   {
     openFiles(files, search, config);
     validate(config.model);
+    for (const std::string& remark : checkFit(config.model))
+    {
+      config.warnings.push_back(remark);
+    }
   }
   catch (const std::invalid_argument& error)
   {

@@ -115,6 +115,7 @@ class WheelsetContact::Calculation
     result_.speed = result_.rotation = 0;
     result_.implausible_force = false;
     result_.above_tolerance = result_.near_branch = result_.points_missing = false;
+    is_noisy_ = false;
     patch_count_ = 0;
     if (isUsable(result_.status))
     {
@@ -240,7 +241,9 @@ class WheelsetContact::Calculation
              : result_.near_branch  ? "another equilibrium exists: the result depends on the states before"
              : friction_.isOpen()
                  ? "friction and the balance of the normal forces agree within 2 %, but not within the tolerance"
-             : result_.above_tolerance                     ? "the estimated error of a wheel is above contact/tolerance"
+             : result_.above_tolerance ? "the estimated error of a wheel is above contact/tolerance"
+             : is_noisy_ ? "the noise of the points of a profile leaves the highest pressure open by more than "
+                           "contact/tolerance"
              : friction_.isSet() && !friction_.acts(state) ? "no creep forces: the speed is below 0.01 m/s"
                                                            : "";
     }
@@ -284,6 +287,7 @@ class WheelsetContact::Calculation
       const ShapeEffect shape = shapeEffect(side, balance_, *config_.wheel_profile[side], k, patch.max_pressure);
       patch.error_estimate = std::hypot(patch.error_estimate, shape.max_pressure);
       result_.points_missing = result_.points_missing || shape.missing;
+      is_noisy_ = is_noisy_ || shape.max_pressure > config_.contact.tolerance;
       patch.method = levels_.solver().name();
       patch.creep = {};
       stress_.fill(side, balance_, k, patch);
@@ -320,6 +324,7 @@ class WheelsetContact::Calculation
   std::optional<WheelsetBalance> other_;  ///< searches for other equilibria
   WheelsetResult result_;
   std::size_t patch_count_ = 0;
+  bool is_noisy_ = false;  ///< the noise of a profile opens a pressure by more than the tolerance
 };
 
 WheelsetContact::WheelsetContact(ContactModelConfig config)

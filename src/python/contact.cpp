@@ -159,7 +159,8 @@ void bindModel(py::module& module)
           Released())
       .def("reset", &ContactModel::reset, Released())
       .def_property_readonly("parameters", [](const ContactModel& model) { return textsOf(model.parameters()); })
-      .def_property_readonly("notes", [](const ContactModel& model) { return model.config().notes; })
+      .def_property_readonly("notes", [](const ContactModel& model) { return model.config().remarks(); })
+      .def_property_readonly("warnings", [](const ContactModel& model) { return model.config().warnings; })
       .def_property_readonly("wheel_profiles",
                              [](const ContactModel& model) { return profilesOf(model.config().model.wheel_profile); })
       .def_property_readonly("rail_profiles",

@@ -35,9 +35,9 @@ class Replay
   /// Prints number of results, speed, statuses and dropped messages. Shares are those of all poses. contact_campaign
   /// parses this text.
   void printSummary(std::ostream& out) const;
-  /// What was understood of the profile files, one line each. contact_campaign takes all lines before the summary as
-  /// notes.
-  const std::vector<std::string>& notes() const { return config_.notes; }
+  /// What was understood of the profile files, and warnings, one line each. contact_campaign takes all lines before the
+  /// summary as notes.
+  std::vector<std::string> notes() const { return config_.remarks(); }
   /// Parts of the input that could not be read, as text; empty if all was read.
   std::vector<std::string> faults() const { return source_.faults(); }
   /// Number of results in the output, including those of the resumed bag.

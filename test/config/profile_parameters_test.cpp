@@ -51,6 +51,25 @@ TEST_F(ProfileParameters, TellWhatAFileDoesNotState)
   EXPECT_EQ(config.notes[0].substr(0, 70), "wheel/profile/file = down.txt: table, 401 points, unit mm, y inward, z");
 }
 
+TEST_F(ProfileParameters, WarnOfARailThatIsInclinedTwice)
+{
+  writePoints("inclined.txt", core::rail60E1(),
+              [](double& y, double& z)
+              {
+                const double before = y;
+                y -= 0.025 * z;
+                z += 0.025 * before;
+              });
+  const std::string rail = "rail: {profile: {file: inclined.txt, unit: m, y: outward, z: up}}";
+  const NodeConfig config = read(with(rail));
+  ASSERT_EQ(config.warnings.size(), 1U);
+  EXPECT_EQ(
+      config.warnings[0],
+      "rail/profile/file = inclined.txt: the file looks inclined by 1:40; rail_inclination adds 0.025 rad (1:40)");
+  EXPECT_EQ(config.remarks().back(), "warning: " + config.warnings[0]);
+  EXPECT_TRUE(read(with("{track: {rail_inclination: 0}, " + rail + "}")).warnings.empty());
+}
+
 TEST_F(ProfileParameters, PlaceTheOrigin)
 {
   const NodeConfig config =

@@ -10,6 +10,10 @@ namespace wheel_rail_contact
 ContactEvaluator::ContactEvaluator(const NodeConfig& config)
     : track_frame_(config.track_frame), linear_range_(config.linear_range), contact_(config.model)
 {
+  for (const std::string& warning : config.warnings)
+  {
+    warnings_ = sentences(warnings_, warning);
+  }
 }
 
 core::WheelsetPose ContactOutput::pose() const
@@ -41,7 +45,7 @@ ContactOutput ContactEvaluator::evaluate(const PreparedInput& input)
   output.header.stamp = input.stamp;
   output.header.frame_id = track_frame_;
   output.status = input.status;
-  output.reason = input.reason;
+  output.reason = sentences(input.reason, input.resets ? warnings_ : "");
   if (input.status != WheelsetContact::OK)
   {
     output.rejected = true;
@@ -49,7 +53,7 @@ ContactOutput ContactEvaluator::evaluate(const PreparedInput& input)
   }
   const core::WheelsetResult& result = contact_.evaluate(input.state);
   output.status = toMessage(result.status);
-  output.reason = result.reason;
+  output.reason = sentences(result.reason, input.resets ? warnings_ : "");
   output.state = input.state;
   output.lacks_neighbour = input.lacks_neighbour;
   if (output.lacks_neighbour)

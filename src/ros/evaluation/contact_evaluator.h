@@ -53,6 +53,7 @@ class ContactEvaluator
  private:
   std::string track_frame_;
   core::Sides<double> linear_range_;
+  std::string warnings_;  ///< of the parameters; in the status text of each result after a reset
   core::WheelsetContact contact_;
 };
 

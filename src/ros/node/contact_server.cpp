@@ -35,6 +35,10 @@ ContactServer::ContactServer(const ros::NodeHandle& nh, const ros::NodeHandle& p
   {
     ROS_INFO("%s: %s", private_nh_.getNamespace().c_str(), note.c_str());
   }
+  for (const std::string& warning : config_.warnings)
+  {
+    ROS_WARN("%s: %s", private_nh_.getNamespace().c_str(), warning.c_str());
+  }
   diagnostics_.setHardwareID("none");
   diagnostics_.add("wheel-rail contact", this, &ContactServer::report);
   advertise();

@@ -32,6 +32,8 @@ class WheelsetContact:
         none of these.
         """
         self._model = core.ContactModel(sources(config))
+        for text in self._model.warnings:
+            warnings.warn(text, stacklevel=2)
         if self._model.has_neighbours:
             warnings.warn("rail_bending/neighbours is not used: give the displacement by other wheelsets as rail_displacement",
                           stacklevel=2)
@@ -117,7 +119,7 @@ class WheelsetContact:
 
     @property
     def notes(self):
-        """What was understood of each profile file, one line each."""
+        """What was understood of each profile file, and warnings, one line each."""
         return self._model.notes
 
     @property
