@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <cmath>
-#include <optional>
-#include <stdexcept>
 
+#include "core/option_check.h"
 #include "core/profile/curve/measures.h"
 #include "core/text/formatted.h"
 #include "core/text/table_title.h"
@@ -16,66 +14,43 @@ namespace wheel_rail_contact::core
 namespace
 {
 // Limits at full size [m]; those of a model are smaller by its scale.
-constexpr double back_tolerance = 2e-3;    ///< of the flange back: wear, and the position of a measuring device
-constexpr double least_back_rise = 3e-3;   ///< of a profile behind its flange tip, if it reaches the flange back
-constexpr double back_slope = 5;           ///< least slope of a flange back [-]
-constexpr double farthest_touch = 10e-3;   ///< from the running circle at y = 0, in height
-constexpr double front_depth = 10e-3;      ///< of the front of the flange below the running circle (EN 15313)
-constexpr double usual_clearance = 20e-3;  ///< of one flange: of worn flanges on a wide gauge
-constexpr double largest_clearance = 35e-3;
+constexpr double front_depth = 10e-3;     ///< of the front of the flange below the running circle (EN 15313)
+constexpr double back_tolerance = 2e-3;   ///< of the flange back: wear, and the place of a measuring device
+constexpr double least_back_rise = 3e-3;  ///< of a profile behind its flange tip, if it reaches the flange back
+constexpr double back_slope = 5;          ///< least slope of a flange back [-]
+constexpr double farthest_touch = 10e-3;  ///< from the running circle at y = 0, in height
+/// Clearance of one flange: at least on a narrowed track, and of worn flanges on a wide gauge.
+constexpr double least_clearance = -4e-3, usual_clearance = 20e-3, largest_clearance = 35e-3;
 
-std::string dimensions(const ContactModelConfig& config)
+/// Places of a flange. `front` is the end of what is deeper than its depth.
+struct Flange
 {
-  return formatted("wheelset/flange_back_distance = %.10g m, wheelset/tape_circle = %.10g m, track/gauge = %.10g m",
-                   config.wheelset.flange_back_distance, config.wheelset.tape_circle, config.track.gauge);
-}
-
-/// y of the flange tip and of the end of a wheel profile behind it [m].
-struct FlangeEnds
-{
-  CurvePoint back, tip;
+  CurvePoint back, tip, front;
 };
 
-FlangeEnds flangeEnds(const Profile& wheel)
+Flange flangeOf(const Profile& wheel, double depth)
 {
-  FlangeEnds ends{wheel.at(0), wheel.at(0)};
+  Flange flange{wheel.at(0), wheel.at(0), wheel.at(0)};
   for (double u = 0; u < wheel.length(); u += ContactSearch::spacing)
   {
     const CurvePoint p = wheel.at(u);
-    ends.back = p.y < ends.back.y ? p : ends.back;
-    ends.tip = p.z < ends.tip.z ? p : ends.tip;
+    flange.back = p.y < flange.back.y ? p : flange.back;
+    flange.tip = p.z < flange.tip.z && p.y < 0 ? p : flange.tip;
+    flange.front = p.z < -depth && p.y < 0 ? p : flange.front;
   }
-  return ends;
+  return flange;
 }
 
 /// Compares the flange back of a profile with wheelset/tape_circle.
-void checkFlangeBack(const Profile& wheel, double tape_circle, double scale)
+void checkFlangeBack(const Profile& wheel, const Flange& flange, double tape_circle, double scale)
 {
-  const FlangeEnds ends = flangeEnds(wheel);
-  const bool is_seen = ends.back.z > ends.tip.z + scale * least_back_rise &&
-                       std::abs(ends.back.dz) > back_slope * std::abs(ends.back.dy);
-  const double beyond = -tape_circle - ends.back.y;
-  if (beyond > scale * back_tolerance || (is_seen && beyond < -scale * back_tolerance))
-  {
-    throw std::invalid_argument(
-        formatted("wheelset/tape_circle = %.10g m: the flange back of wheel profile %s is %s from "
-                  "its running circle",
-                  tape_circle, wheel.name().c_str(), millimetres(-ends.back.y).c_str()));
-  }
-}
-
-/// Distance of the front of the flange from the running circle, outward, at a depth below it [m]; nothing if the flange
-/// does not reach it.
-std::optional<double> frontOfFlange(const Profile& wheel, double depth)
-{
-  const FlangeEnds ends = flangeEnds(wheel);
-  std::optional<double> front;
-  for (double u = 0; u < wheel.length(); u += ContactSearch::spacing)
-  {
-    const CurvePoint p = wheel.at(u);
-    front = p.y > ends.tip.y && p.y < 0 && p.z < -depth ? p.y : front;
-  }
-  return front;
+  const bool is_seen = flange.back.z > flange.tip.z + scale * least_back_rise &&
+                       std::abs(flange.back.dz) > back_slope * std::abs(flange.back.dy);
+  const double beyond = -tape_circle - flange.back.y;
+  refuseIf(
+      beyond > scale * back_tolerance || (is_seen && beyond < -scale * back_tolerance),
+      formatted("wheelset/tape_circle = %.10g m: the flange back of wheel profile %s is %s from its running circle",
+                tape_circle, wheel.name().c_str(), millimetres(-flange.back.y).c_str()));
 }
 
 /// The profile by which a rail is placed.
@@ -88,54 +63,57 @@ std::shared_ptr<const Profile> runningProfile(const ContactModelConfig& config, 
 /// Checks one side. @return a remark, or an empty text
 std::string fitOf(const ContactModelConfig& config, Side side, double scale)
 {
+  const WheelsetConfig& wheelset = config.wheelset;
   const Profile& wheel = *config.wheel_profile[side];
-  checkFlangeBack(wheel, config.wheelset.tape_circle, scale);
-  const auto front = frontOfFlange(wheel, scale * front_depth);
-  const double clearance = front ? 0.5 * config.track.gauge - config.wheelset.halfBase() - *front : 0;
-  if (clearance < 0 || clearance > scale * largest_clearance)
-  {
-    throw std::invalid_argument(dimensions(config) + ": the clearance of the flange of the " + nameOf(side) +
-                                " wheel in the track is " + millimetres(clearance) + ", must be 0 to " +
-                                millimetres(scale * largest_clearance));
-  }
+  const Flange flange = flangeOf(wheel, scale * front_depth);
+  checkFlangeBack(wheel, flange, wheelset.tape_circle, scale);
+  const std::string dimensions = formatted(
+      "wheelset/flange_back_distance = %.10g m, wheelset/tape_circle = %.10g m, track/gauge = %.10g m: the %s wheel ",
+      wheelset.flange_back_distance, wheelset.tape_circle, config.track.gauge, nameOf(side));
+  const double clearance = 0.5 * config.track.gauge - wheelset.halfBase() - flange.front.y;
+  const std::string text = dimensions + "has a clearance of " + millimetres(clearance) + " beside its flange, ";
+  refuseIf(clearance < scale * least_clearance || clearance > scale * largest_clearance,
+           text + "must be " + millimetres(scale * least_clearance) + " to " + millimetres(scale * largest_clearance));
   const PlacedRail rail(runningProfile(config, side), config.track, side);
   ContactSearch search(wheel, rail.profile());
   search.setRail(rail);
-  search.setWheel({wheel, config.wheelset, side, {}});
+  search.setWheel({wheel, wheelset, side, {}});
   InitialContact touch;
-  const bool touches = search.nearest(touch);
-  const double height = touches ? wheel.at(touch.wheel_u).z : 0;
-  if (!touches || std::abs(height) > scale * farthest_touch || rail.at(touch.rail_u).z < -scale * gauge_depth)
-  {
-    throw std::invalid_argument(dimensions(config) + ": at y = 0 the " + nameOf(side) + " wheel " +
-                                (touches
-                                     ? "touches its rail " + millimetres(std::abs(height)) +
-                                           (height < 0 ? " below" : " above") + " the running circle, not on the tread"
-                                     : "is beside its rail"));
-  }
-  return clearance > scale * usual_clearance
-             ? dimensions(config) + ": the clearance of the flange of the " + nameOf(side) + " wheel is " +
-                   millimetres(clearance) + ", more than " + millimetres(scale * usual_clearance)
+  refuseIf(!search.nearest(touch), dimensions + "is beside its rail at y = 0");
+  const double height = wheel.at(touch.wheel_u).z;
+  refuseIf(std::abs(height) > scale * farthest_touch || rail.at(touch.rail_u).z < -scale * gauge_depth,
+           dimensions + "touches its rail " + millimetres(std::abs(height)) + (height < 0 ? " below" : " above") +
+               " the running circle at y = 0, not on the tread and the head");
+  return clearance < 0 || clearance > scale * usual_clearance
+             ? text + "usual are 0 to " + millimetres(scale * usual_clearance)
              : "";
 }
 }  // namespace
 
 std::vector<std::string> checkFit(const ContactModelConfig& config)
 {
-  const double scale = modelScale(config.track, config.wheelset);
+  constexpr double least_radius = 0.1, most_radius = 0.5;  // over the gauge: wheels of 0.15 m to 0.7 m on 1.435 m
+  constexpr double field_side = -0.005;                    // inclination that is no tolerance [rad]
+  const double scale = modelScale(config.track, config.wheelset), gauge = config.track.gauge;
   std::vector<std::string> remarks;
-  const double radius = config.wheelset.meanRadius();
-  if (radius > 0.5 * config.track.gauge)
-  {
-    remarks.push_back(
-        formatted("wheelset/rolling_radius = %.10g m is more than half of track/gauge: is it the diameter?", radius));
-  }
   for (const Side side : sides)
   {
-    const std::string remark = fitOf(config, side, scale);
-    if (!remark.empty())
+    const double radius = config.wheelset.rolling_radius[side], inclination = config.track.rail_inclination[side];
+    const bool is_usual = radius >= least_radius * gauge && radius <= most_radius * gauge;
+    for (const std::string& remark :
+         {fitOf(config, side, scale),
+          is_usual ? ""
+                   : formatted("wheelset/rolling_radius = %.10g m (%s) is not 0.1 to 0.5 of track/gauge: is it the "
+                               "diameter, or in another unit?",
+                               radius, nameOf(side)),
+          inclination > field_side ? ""
+                                   : formatted("track/rail_inclination = %.10g (%s) leans the rail to the field side",
+                                               inclination, nameOf(side))})
     {
-      remarks.push_back(remark);
+      if (!remark.empty())
+      {
+        remarks.push_back(remark);
+      }
     }
   }
   return remarks;

@@ -173,18 +173,18 @@ Profile loadProfile(const std::string& name_or_path, ProfileKind kind, const Pro
 /// stored inclined, as it lies in the track; TrackConfig::rail_inclination must then be 0. Neither is moved for
 /// ProfileKind::rail_section.
 ///
-/// The points may run in either direction. Points at which a measurement runs back by up to 1 mm (two strokes) are
-/// omitted. A point less than 0.05 mm from the preceding one is omitted: over this distance the digits of a file do not
-/// determine a curvature. Up to 2 % of the points are omitted if they lie off the curve of their neighbours, alone or
-/// in groups of two or three. With smoothing, a smoothing spline is fitted to the points; without, an interpolating
-/// spline passes through all of them. Profile::errorAt() gives what the noise leaves open, and where points are
-/// missing.
+/// More than 20000 points may be in any order: they are averaged over 0.1 mm along the curve. Others must be in order,
+/// in either direction. Points at which a measurement runs back by up to 1 mm (two strokes) are omitted. A point less
+/// than 0.05 mm from the preceding one is omitted: over this distance the digits of a file do not determine a
+/// curvature. Up to 2 % of the points are omitted if they lie off the curve of their neighbours, alone or in groups of
+/// two or three. With smoothing, a smoothing spline is fitted to the points; without, an interpolating spline passes
+/// through all of them. Profile::errorAt() gives what the noise leaves open, and where points are missing.
 ///
 /// @param path     path of the file
 /// @param kind     expected kind of the profile
 /// @param reading  options
 /// @throw FileError if the file cannot be read, is truncated, malformed or of the wrong kind, is larger than 4 MiB
-/// or has more than 20000 points. Also if it does not contain a plausible profile: fewer than 10 points, points not in
+/// or has more than 200000 points. Also if it does not contain a plausible profile: fewer than 10 points, points not in
 /// order along the curve, a gap of more than 25 mm, a width outside 20 mm to 300 mm, a height above 120 mm, or a shape
 /// that is not that of a wheel or rail.
 /// @throw std::invalid_argument if an option is out of range.

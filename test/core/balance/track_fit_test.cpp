@@ -32,9 +32,9 @@ TEST(TrackFit, DimensionsThatContradictAreRefusedOrNamed)
   EXPECT_EQ(fitAfter([](Config&) {}), "");
   EXPECT_TRUE(contains(fitAfter([](Config& c) { c.wheelset.flange_back_distance = 1.435; }),
                        "wheelset/flange_back_distance = 1.435 m"));
-  EXPECT_TRUE(contains(fitAfter([](Config& c) { c.track.gauge = 1.42; }), "clearance of the flange"));
-  EXPECT_TRUE(contains(fitAfter([](Config& c) { c.track.gauge = 1.505; }), "must be 0 to 35 mm"));
-  EXPECT_TRUE(contains(fitAfter([](Config& c) { c.track.gauge = 1.47; }), "more than 20 mm"));
+  EXPECT_TRUE(contains(fitAfter([](Config& c) { c.track.gauge = 1.415; }), "must be -4 mm to 35 mm"));
+  EXPECT_TRUE(contains(fitAfter([](Config& c) { c.track.gauge = 1.505; }), "must be -4 mm to 35 mm"));
+  EXPECT_TRUE(contains(fitAfter([](Config& c) { c.track.gauge = 1.47; }), "usual are 0 to 20 mm"));
   for (const double tape_circle : {0.0625, 0.0778})
   {
     EXPECT_TRUE(contains(fitAfter(

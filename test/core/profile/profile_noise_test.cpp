@@ -161,6 +161,31 @@ TEST(Smoothing, IsEstimatedUnlessStated)
   EXPECT_EQ(railOf(points, 6, reading).report.smoothing, 20e-6);
 }
 
+TEST(Smoothing, AveragesACloudOfPoints)
+{
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise(0, 20e-6);
+  const Folder folder;
+  for (const bool wheel : {false, true})
+  {
+    const Profile profile = wheel ? s1002Wheel() : rail60E1();
+    std::vector<Point> cloud;
+    for (int i = 0; i < 25000; ++i)
+    {
+      const CurvePoint p = profile.at(std::uniform_real_distribution<double>(0, profile.length())(random));
+      cloud.push_back({p.y + noise(random), p.z + noise(random)});
+    }
+    const DescribedProfile read =
+        describedProfile(folder.write("cloud.csv", csv(cloud)), wheel ? ProfileKind::wheel : ProfileKind::rail);
+    EXPECT_TRUE(contains(read.report.text, "25000 points, in any order, averaged over 0.1 mm"));
+    EXPECT_LT(*read.report.noise, 15e-6);          // 17 points in a mean: 5 um, in the noisiest stretch more
+    std::vector<Point> inner = pointsOf(profile);  // the ends are where the last points are
+    inner.erase(inner.begin(), inner.begin() + 8);
+    inner.resize(inner.size() - 8);
+    EXPECT_LT(deviation(read.profile, inner), 20e-6);
+  }
+}
+
 TEST(ShapeError, CoversTheErrorOfTheCurvature)
 {
   SCOPED_TRACE("seed " + std::to_string(seed));

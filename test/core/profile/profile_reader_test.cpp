@@ -113,11 +113,11 @@ TEST(ProfileFiles, BinaryEmptyAndOversizedFilesAreRejected)
   expectTextRejected(std::string((4U << 20U) + 1U, '#'), 0, "larger than 4 MiB");
   expectTextRejected("y_m,z_m\n" + std::string(2000, '1'), 2, "line has more than");
   std::string many = "y_m,z_m\n";
-  for (int i = 0; i < 20001; ++i)
+  for (int i = 0; i < 200001; ++i)
   {
     many += "0,0\n";
   }
-  expectTextRejected(many, 20002, "more than 20000 points");
+  expectTextRejected(many, 200002, "more than 200000 points");
   expectRejected(folder.path("."), ProfileKind::rail, 0, "no such file");
   std::filesystem::create_directories(folder.path("folder.csv"));
   expectRejected(folder.path("folder.csv"), ProfileKind::rail, 0, "no such file");

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <vector>
 
 namespace wheel_rail_contact::core
 {
@@ -109,6 +110,28 @@ std::optional<double> whereHeight(const Profile& profile, double z, double from,
       profile, [z](const CurvePoint& p) { return p.z - z; }, from, to);
 }
 
+/// Straight line y(z) nearest to points: its slope dy/dz, and the root mean square deviation [m].
+struct NearestLine
+{
+  double slope, deviation;
+};
+
+NearestLine nearestLine(const std::vector<ProfilePlace>& points)
+{
+  double y = 0, z = 0, yy = 0, yz = 0, zz = 0;
+  for (const ProfilePlace& p : points)
+  {
+    const double share = 1.0 / static_cast<double>(points.size());
+    y += share * p.y;
+    z += share * p.z;
+    yy += share * p.y * p.y;
+    yz += share * p.y * p.z;
+    zz += share * p.z * p.z;
+  }
+  const double slope = (yz - y * z) / (zz - z * z);
+  return {slope, std::sqrt(std::max(0.0, yy - y * y - slope * (yz - y * z)))};
+}
+
 /// Lean of one side of a head, see RailMeasures.
 std::optional<double> leanOfSide(const Profile& profile, double top, double end)
 {
@@ -123,29 +146,17 @@ std::optional<double> leanOfSide(const Profile& profile, double top, double end)
   {
     return std::nullopt;
   }
-  double y = 0, z = 0, yy = 0, yz = 0, zz = 0;
+  std::vector<ProfilePlace> side;
   for (int i = 0; i <= side_points; ++i)
   {
-    const CurvePoint p = profile.at(*first + (last - *first) * i / side_points);
-    const double share = 1.0 / (side_points + 1);
-    y += share * p.y;
-    z += share * p.z;
-    yy += share * p.y * p.y;
-    yz += share * p.y * p.z;
-    zz += share * p.z * p.z;
+    side.push_back(placeAt(profile, *first + (last - *first) * i / side_points));
   }
-  const double slope = (yz - y * z) / (zz - z * z);
-  const double square = yy - y * y - slope * (yz - y * z);
-  return square < straightness * straightness ? std::optional(std::atan(slope)) : std::nullopt;
+  const NearestLine line = nearestLine(side);
+  return line.deviation < straightness ? std::optional(std::atan(line.slope)) : std::nullopt;
 }
-/// Straight line nearest to the middles of a head, in turned axes: its lean, and the root mean square deviation [m].
-struct MiddleLine
-{
-  double lean, deviation;
-};
-
-/// The line in axes that lean by an angle towards the track centre; nothing if a side ends 8 mm below the top.
-std::optional<MiddleLine> middleLine(const Profile& profile, double angle)
+/// The line nearest to the middles of a head, in axes that lean by an angle towards the track centre; nothing if a side
+/// ends 8 mm below the top.
+std::optional<NearestLine> middleLine(const Profile& profile, double angle)
 {
   constexpr double first = 1e-3, most = 13e-3, least = 8e-3;  // depths [m]
   constexpr int count = 12;
@@ -158,7 +169,7 @@ std::optional<MiddleLine> middleLine(const Profile& profile, double angle)
   {
     return std::nullopt;
   }
-  double y = 0, z = 0, yy = 0, yz = 0, zz = 0;
+  std::vector<ProfilePlace> middles;
   for (int i = 0; i <= count; ++i)
   {
     const double depth = first + (last - first) * i / count;
@@ -168,20 +179,10 @@ std::optional<MiddleLine> middleLine(const Profile& profile, double angle)
     {
       return std::nullopt;
     }
-    double middle = 0;
-    for (const double u : {*left, *right})
-    {
-      const CurvePoint p = profile.at(u);
-      middle += 0.5 * (c * p.y + s * p.z);
-    }
-    y += middle / (count + 1);
-    z -= depth / (count + 1);
-    yy += middle * middle / (count + 1);
-    yz -= middle * depth / (count + 1);
-    zz += depth * depth / (count + 1);
+    const ProfilePlace a = placeAt(profile, *left), b = placeAt(profile, *right);
+    middles.push_back({0.5 * (c * (a.y + b.y) + s * (a.z + b.z)), -depth});
   }
-  const double lean = (yz - y * z) / (zz - z * z);
-  return MiddleLine{lean, std::sqrt(std::max(0.0, yy - y * y - lean * (yz - y * z)))};
+  return nearestLine(middles);
 }
 
 /// Lean of the axis of symmetry of a head towards the track centre [rad]; nothing if it is not symmetric.
@@ -190,15 +191,15 @@ std::optional<double> leanBySymmetry(const Profile& profile)
   constexpr double most = 0.1;  // [rad]
   const auto lean = [&](double angle)
   {
-    const std::optional<MiddleLine> line = middleLine(profile, angle);
-    return line ? line->lean : 0;
+    const std::optional<NearestLine> line = middleLine(profile, angle);
+    return line ? line->slope : 0;
   };
   if (lean(-most) * lean(most) >= 0)
   {
     return std::nullopt;
   }
   const double angle = bisected(lean, -most, most);
-  const std::optional<MiddleLine> line = middleLine(profile, angle);
+  const std::optional<NearestLine> line = middleLine(profile, angle);
   return line && line->deviation < straightness ? std::optional(angle) : std::nullopt;
 }
 }  // namespace

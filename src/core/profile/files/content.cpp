@@ -10,7 +10,7 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr std::size_t most_points = 20000;
+constexpr std::size_t most_points = 200000;
 
 enum class Format
 {

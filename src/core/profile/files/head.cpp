@@ -94,17 +94,16 @@ std::vector<Head> headsOf(Points points)
     std::tie(head.left, head.right) = widthAt(head.points, least_groove);
     if (!heads.empty() && head.left < heads.back().right)
     {
-      return {};  // not a groove: the points run back
+      return {{points, head.left, head.right}};  // not a groove: the points run back
     }
     heads.push_back(head);
   }
   return heads;
 }
 
-/// Removes from the end of a curve what is flat and deep below its top: the floor of a groove, or the underside of a
-/// head.
-/// @param only_underside  only what runs back to the middle of the head
-void cutFlatEnd(double top, double middle, bool only_underside, Points& points)
+/// Removes from the end of a curve the floor of a groove, or the underside of a head: what is flat, deep below the top
+/// and, of an underside, runs back to the middle.
+void cutFlatEnd(double top, double middle, bool is_groove, Points& points)
 {
   while (points.size() > 2 && points.back().z < top - gauge_depth)
   {
@@ -112,30 +111,12 @@ void cutFlatEnd(double top, double middle, bool only_underside, Points& points)
     const auto before = std::find_if(points.rbegin(), points.rend(),
                                      [&end](const SampledPoint& p) { return distance(p, end) >= chord; });
     const bool is_flat = before != points.rend() && std::abs(before->z - end.z) < std::abs(before->y - end.y);
-    if (!is_flat || (only_underside && std::abs(end.y - middle) > std::abs(before->y - middle)))
+    if (!is_flat || (!is_groove && std::abs(end.y - middle) > std::abs(before->y - middle)))
     {
       return;
     }
     points.pop_back();
   }
-}
-
-/// The running head of several: the widest one, if it is the last towards the field side.
-/// @throw FileError if another one is as wide, or lies there.
-Points runningHead(const TextFile& file, const std::vector<Head>& heads)
-{
-  const Head& last = heads.back();
-  for (std::size_t k = 0; k + 1 < heads.size(); ++k)
-  {
-    const Head& other = heads[k];
-    file.refuseIf(last.width() < head_ratio * other.width(), 0,
-                  "the outline has " + std::to_string(heads.size()) + " heads, from y = " + millimetres(other.left) +
-                      " to " + millimetres(other.right) + " and from " + millimetres(last.left) + " to " +
-                      millimetres(last.right) +
-                      ": the one on the field side is not clearly the running rail. Give each as a file "
-                      "(rail/profile/parts), or reverse y");
-  }
-  return last.points;
 }
 }  // namespace
 
@@ -160,20 +141,25 @@ std::string keepHead(const TextFile& file, Points& points)
     cutToHead(points);
   }
   const std::vector<Head> heads = headsOf(points);
-  const Points& last = heads.empty() ? points : heads.back().points;
+  const auto is_narrow = [&heads](const Head& other) { return heads.back().width() < head_ratio * other.width(); };
+  const auto other = std::find_if(heads.begin(), heads.end() - 1, is_narrow);
+  const Points& last = heads.back().points;
   const double top = std::max_element(last.begin(), last.end(), isLower)->z;
   // A wheel has a tread that does not fall on the field side.
-  const bool has_several = heads.size() > 1 && last.back().z < top - gauge_depth;
-  if (has_several)
-  {
-    points = runningHead(file, heads);
-  }
+  const bool has_groove = heads.size() > 1 && last.back().z < top - gauge_depth;
+  file.refuseIf(has_groove && other != heads.end() - 1, 0,
+                "the outline has " + std::to_string(heads.size()) + " heads, from y = " + millimetres(other->left) +
+                    " to " + millimetres(other->right) + " and from " + millimetres(heads.back().left) + " to " +
+                    millimetres(heads.back().right) +
+                    ": the one on the field side is not clearly the running rail. Give each as a file "
+                    "(rail/profile/parts), or reverse y");
+  points = has_groove ? last : points;
   const auto [left, right] = widthAt(points, least_groove);
-  for (const bool first : {true, false})
+  for (const bool at_groove : {has_groove, false})
   {
     std::reverse(points.begin(), points.end());
-    cutFlatEnd(top, 0.5 * (left + right), !(has_several && first), points);
+    cutFlatEnd(top, 0.5 * (left + right), at_groove, points);
   }
-  return has_several ? "omitted what lies beside the head, on the gauge side (rail/profile/parts adds it)" : "";
+  return has_groove ? "omitted what lies beside the head, on the gauge side (rail/profile/parts adds it)" : "";
 }
 }  // namespace wheel_rail_contact::core

@@ -157,9 +157,10 @@ class MiniProfReader
     const std::size_t valid = begins_with_both ? found_columns_ : columns_;
     if (words.size() < 2 || (columns_ > 0 && words.size() != valid))
     {
-      file_.refuse(
-          "number of columns is " + std::to_string(words.size()) +
-          (columns_ > 0 ? ", ColumnDef states " + std::to_string(columns_) : ", at least X and Y are required"));
+      file_.refuse("number of columns is " + std::to_string(words.size()) +
+                   (columns_ > 0 ? ", ColumnDef states " + std::to_string(columns_) + ", and the first point has " +
+                                       std::to_string(found_columns_)
+                                 : ", at least X and Y are required"));
     }
     const double x = file_.numberIn(words[x_column_]), y = file_.numberIn(words[y_column_]);
     addPoint(file_, content_, {x + x_offset_, y + y_offset_}, words[y_column_]);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
 
 #include "core/profile/files/steps.h"
 #include "core/text/table_title.h"
@@ -76,6 +77,44 @@ Points alongTheCurve(const TextFile& file, const Points& points)
   return kept;
 }
 }  // namespace
+
+std::string averageCloud(ProfileKind kind, std::vector<SampledPoint>& points)
+{
+  constexpr std::size_t least_cloud = 20000;
+  constexpr double group = 1e-4;  // of the means along the curve [m]
+  if (points.size() <= least_cloud)
+  {
+    return "";
+  }
+  // A place from which the whole curve is seen: inside of the head of a rail; in the wheel, above the flange.
+  const auto [left, right] = std::minmax_element(points.begin(), points.end(), isFartherInward);
+  const double top = std::max_element(points.begin(), points.end(), isLower)->z;
+  const bool is_wheel = kind == ProfileKind::wheel;
+  const double y = is_wheel ? left->y + 0.025 : 0.5 * (left->y + right->y);
+  const double z = is_wheel ? top + 0.060 : top - 0.025, sign = is_wheel ? -1 : 1;
+  const auto angle = [=](const SampledPoint& p) { return std::atan2(p.y - y, sign * (p.z - z)); };
+  std::sort(points.begin(), points.end(),
+            [&](const SampledPoint& a, const SampledPoint& b) { return angle(a) < angle(b); });
+  Points means;
+  for (std::size_t i = 0; i < points.size();)
+  {
+    SampledPoint mean{0, 0, 1, points[i].line};
+    const double begin = angle(points[i]), radius = std::hypot(points[i].y - y, points[i].z - z);
+    std::size_t count = 0;
+    for (; i < points.size() && (angle(points[i]) - begin) * radius < group; ++i)
+    {
+      mean.y += points[i].y;
+      mean.z += points[i].z;
+      ++count;
+    }
+    mean.y /= static_cast<double>(count);
+    mean.z /= static_cast<double>(count);
+    means.push_back(mean);
+  }
+  const std::string text = std::to_string(points.size()) + " points, in any order, averaged over 0.1 mm";
+  points = means;
+  return text;
+}
 
 std::vector<SampledPoint> orderedPoints(const TextFile& file, const std::vector<SampledPoint>& points, ProfileKind kind)
 {

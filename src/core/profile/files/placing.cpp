@@ -171,6 +171,7 @@ PlacedPoints placedPoints(const TextFile& file, const FileProfile& content, Prof
     p.z *= z_factor;
     file.refuseIf(!std::isfinite(p.y) || !std::isfinite(p.z), p.line, "coordinate of the point is too large");
   }
+  placed.remark = averageCloud(kind, placed.points);
   if (reading.origin)
   {
     checkOrigin(file, kind, *reading.origin);
@@ -181,7 +182,8 @@ PlacedPoints placedPoints(const TextFile& file, const FileProfile& content, Prof
   }
   else if (kind == ProfileKind::rail && !placed.points.empty())
   {
-    placed.remark = keepHead(file, placed.points);
+    const std::string head = keepHead(file, placed.points);
+    placed.remark += (placed.remark.empty() || head.empty() ? "" : ", ") + head;
     placeRail(file, reading.origin, placed);
   }
   move(reading.shift_y, reading.shift_z, placed);
