@@ -28,7 +28,7 @@ class Config(unittest.TestCase):
         self.assertNotEqual(default.max_pressure, pressures[0].max())
 
     def test_numbers_of_numpy_and_paths_are_values(self):
-        contact = WheelsetContact({"track": {"gauge": np.float32(1.5)},
+        contact = WheelsetContact({"track": {"gauge": np.float32(1.4375)},
                                    "contact": {"grid": {"along": np.int64(8), "across": 8}},
                                    "rail_bending": {"model": "compliance",
                                                     "table": pathlib.Path("config/rails/pads_40_100.yaml")}})

@@ -1,12 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <thread>
 
+#include "../manchester_scene.h"
 #include "../usual_headers.h"
+#include "ros/evaluation/contact_evaluator.h"
 #include "ros/evaluation/transform_store.h"
 #include "ros/node/newest_queue.h"
 #include "ros/parameters/node_parameters.h"
 
 using namespace wheel_rail_contact;
+
+TEST(ContactEvaluator, FirstStatusHasTheWarningsOfTheParameters)
+{
+  NodeConfig config;
+  config.model = core::manchesterScene();
+  config.warnings = {"one", "two"};
+  ContactEvaluator evaluator(config);
+  PreparedInput input;
+  input.state.force_z = -2e5;
+  EXPECT_EQ(evaluator.evaluate(input).reason, "one; two");
+  input.resets = false;
+  EXPECT_EQ(evaluator.evaluate(input).reason, "");
+}
 
 TEST(NewestQueue, KeepsTheNewestEntriesInOrderAndCountsTheOthers)
 {
