@@ -134,7 +134,7 @@ void reduce(double scale, std::vector<ProfileSection>& sections, std::vector<Sam
 {
   for (ProfileSection& section : sections)
   {
-    CubicSection& law = std::get<CubicSection>(section.law);
+    auto& law = std::get<CubicSection>(section.law);
     for (int k = 0; k < 4; ++k)
     {
       law.y[k] *= std::pow(scale, 1 - k);

@@ -111,7 +111,7 @@ std::string averageCloud(ProfileKind kind, std::vector<SampledPoint>& points)
     mean.z /= static_cast<double>(count);
     means.push_back(mean);
   }
-  const std::string text = std::to_string(points.size()) + " points, in any order, averaged over 0.1 mm";
+  std::string text = std::to_string(points.size()) + " points, in any order, averaged over 0.1 mm";
   points = means;
   return text;
 }
