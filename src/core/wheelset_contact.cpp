@@ -307,9 +307,12 @@ class WheelsetContact::Calculation
       {
         wheel.vertical += patch.vertical_force;
         wheel.lateral += patch.lateral_force;
-        const Eigen::Vector3d force(0, -sideSign(side) * patch.lateral_force, patch.vertical_force);
+        const Eigen::Vector3d force(-patch.slope_along * patch.normal_force, -sideSign(side) * patch.lateral_force,
+                                    patch.vertical_force);
+        const double y = patch.pose.y - result_.y, z = patch.pose.z - result_.z;
         wrench.force += force;
-        wrench.moment += Eigen::Vector3d(0, -patch.pose.x * force.z(), patch.pose.x * force.y());
+        wrench.moment +=
+            Eigen::Vector3d(0, z * force.x() - patch.pose.x * force.z(), patch.pose.x * force.y() - y * force.x());
       }
     }
     wrench.moment.x() = sideSign(side) * balance_.wheel(side).moment();

@@ -150,12 +150,14 @@ inline bool isUsable(ContactStatus status)
 }
 
 /// Pose of a patch frame, in track axes. Origin: centre of pressure, on the rail. Axes: x forward, y left in the
-/// tangent plane, z along the resultant of the pressure, out of the rail. The frame is rotated about x only.
+/// tangent plane, z along the resultant of the pressure, out of the rail. The frame is pitched about y, then rotated
+/// about x (fixed axes).
 struct PatchPose
 {
   double x = 0;         ///< position of the origin, from the axle centre [m]
   double y = 0, z = 0;  ///< position of the origin, track frame [m]
   double angle = 0;     ///< rotation about x, right-handed [rad]
+  double pitch = 0;     ///< rotation about y before it: minus the angle of the rail along the track [rad]
 };
 
 /// One contact patch of a result.
@@ -168,8 +170,11 @@ struct PatchResult
   /// conical tread or a flange; negative at the back of a flange.
   double contact_angle = 0;
   double normal_force = 0;  ///< resultant of the pressure, compressive positive [N]; along z of the patch frame
-  double approach = 0;      ///< approach of wheel and rail along the patch normal, from first touch of the patch [m]
-  double area = 0;          ///< contact area [m²]; its edge is located to a fraction of a cell
+  /// Slope of the surface of the rail along the track, in the patch frame, at the centre of pressure [-]; upward
+  /// positive.
+  double slope_along = 0;
+  double approach = 0;  ///< approach of wheel and rail along the patch normal, from first touch of the patch [m]
+  double area = 0;      ///< contact area [m²]; its edge is located to a fraction of a cell
   /// Highest pressure [Pa], found between the cells and corrected for the bias of the grid. It may be below the
   /// pressure of the highest cell.
   double max_pressure = 0;
@@ -200,7 +205,7 @@ struct PatchResult
   double wheel_angle =
       0;  ///< place around the wheel: angle about the axle from its lowest line, forward positive [rad]
   /// Combined curvature of wheel and rail along the track at the centre of pressure, for an axle without yaw [1/m];
-  /// convex positive.
+  /// convex positive. That of the rail is to second order over the contact.
   double curvature_along = 0;
   double curvature_across = 0;  ///< combined curvature of both profiles [1/m], convex positive
   /// Change of normal_force per approach along the normal, with the rail held and the other contacts unloaded [N/m]:

@@ -175,10 +175,10 @@ SurfaceArea OverlapGrids::areaOf(const OverlapInterval* begin, const OverlapInte
                                                    [](const OverlapInterval& one, const OverlapInterval& other)
                                                    { return one.contact.separation < other.contact.separation; })
                                       ->contact;
-  RailRegion part = overlapOf(wheel, begin, end, lower), inner;
+  RailRegion part = overlapOf(wheel, *rail_, begin, end, lower), inner;
   const bool whole =
       reach == Reach::whole || !(findPressed(begin->u_begin, (end - 1)->u_end, inner) ||
-                                 (end - begin == 1 && findContact(search_, wheel, *begin, lower, inner)));
+                                 (end - begin == 1 && findContact(search_, wheel, *rail_, *begin, lower, inner)));
   if (!whole)
   {
     part = {std::max(part.x_least, inner.x_least), std::min(part.x_most, inner.x_most),
@@ -231,7 +231,7 @@ bool OverlapGrids::wouldBeComplete(const GridSize& size, const NormalProblem& pr
     if (group.has_patch)
     {
       const SurfaceArea area = areaOf(&intervals_[group.first], &intervals_[0] + group.end, 0, Reach::expected);
-      planned_.push_back({layGrid(area, size, placed_wheel_->pose().yaw == 0), area.half_length, area.whole});
+      planned_.push_back({layGrid(area, size, isSymmetric()), area.half_length, area.whole});
     }
   }
   return outside_.isContained(planned_, intervals_, problem, solution);
@@ -243,8 +243,7 @@ const OverlapGrids::GroupGrid* OverlapGrids::earlierGrid(const SurfaceArea& area
   for (const GroupGrid& group : earlier_grids_)
   {
     const double shift = arcLength(rail_->profile(), group.used.origin.rail_u, area.origin.rail_u);
-    if (GridSize{group.used.grid.nx, group.used.grid.ny} == size &&
-        group.used.grid.symmetric == (placed_wheel_->pose().yaw == 0) &&
+    if (GridSize{group.used.grid.nx, group.used.grid.ny} == size && group.used.grid.symmetric == (isSymmetric()) &&
         covers(group.used, area, shift, tuning::most_larger))
     {
       return &group;
@@ -260,7 +259,7 @@ void OverlapGrids::addGrid(std::size_t first, std::size_t last, const GridSize& 
   const OverlapInterval *const begin = &intervals_[first], *const end = begin + (last - first);
   const SurfaceArea area = areaOf(begin, end, 0, reach);
   const GroupGrid* const before = choice != Choice::own ? earlierGrid(area, size) : nullptr;
-  const GridLayout planned = layGrid(area, size, placed_wheel_->pose().yaw == 0);
+  const GridLayout planned = layGrid(area, size, isSymmetric());
   GroupGrid group = before != nullptr ? *before : GroupGrid{planned, planned, reach};
   group.reach = reach;
   const std::size_t k = placed_.size();
@@ -314,7 +313,7 @@ bool OverlapGrids::fillGrid(const GridSize& size, SurfaceArea area, GridLayout& 
       return true;
     }
     grow(long_enough ? 0 : margin, wide_enough ? 0 : margin, area);
-    layout = layGrid(area, size, placed_wheel_->pose().yaw == 0);
+    layout = layGrid(area, size, isSymmetric());
   }
   return false;
 }

@@ -105,6 +105,8 @@ class OverlapGrids
     std::size_t first = 0, end = 0;  ///< its intervals
   };
 
+  /// True if gap and pressure are symmetric about the place of the axle.
+  bool isSymmetric() const { return placed_wheel_->pose().yaw == 0 && !rail_->changes(); }
   bool findPressed(double u_begin, double u_end, RailRegion& all) const;
   SurfaceArea areaOf(const OverlapInterval* begin, const OverlapInterval* end, double lower, Reach reach) const;
   std::size_t endOfGroup(const std::vector<OverlapInterval>& intervals, std::size_t first) const;

@@ -40,20 +40,33 @@ Centre centreOf(const Grid& grid, const Eigen::ArrayXXd& pressure)
 /// Force of an island on the rail [N].
 struct Force
 {
-  double outward = 0, down = 0;
+  double forward = 0, outward = 0, down = 0;
 };
 
-Force forceOf(const Grid& grid, const Eigen::ArrayXXd& pressure, const std::vector<SurfaceColumn>& columns,
+/// @param x  of the middle of the grid [m]
+Force forceOf(const Grid& grid, double x, const Eigen::ArrayXXd& pressure, const std::vector<SurfaceColumn>& columns,
               std::size_t begin)
 {
   Force force;
   for (int j = 0; j < grid.ny; ++j)
   {
     const double share = grid.cellArea() * pressure.col(j).sum();
-    force.outward -= share * columns[begin + static_cast<std::size_t>(j)].perOutward();
-    force.down += share * columns[begin + static_cast<std::size_t>(j)].perUp();
+    const SurfaceColumn& column = columns[begin + static_cast<std::size_t>(j)];
+    force.outward -= share * column.perOutward();
+    force.down += share * column.perUp();
+    force.forward += share * column.along.slopeAt(x);
   }
   return force;
+}
+
+/// Point and tangent of a rail at the place x from the axle [m].
+PlanePoint beside(const PlacedRail& rail, double u, double x)
+{
+  PlanePoint point = rail.at(u);
+  const double rise = rail.along(u).at(x) / std::hypot(point.dy, point.dz);
+  point.y -= rise * point.dz;
+  point.z += rise * point.dy;
+  return point;
 }
 
 /// Change of the normal force per approach [N/m]. The stiffness of a flat punch with the shape of the contact is at
@@ -106,13 +119,15 @@ void fillPatch(Side side, const WheelsetBalance& balance, std::size_t island, Pa
   const auto between = [share](double first, double second) { return first + share * (second - first); };
   const ProfilePlaces places{between(columns[before].wheel_u, columns[before + 1].wheel_u),
                              between(columns[before].rail_u, columns[before + 1].rail_u)};
-  const PlanePoint origin = contact.rail().at(places.rail_u);
-  const Force force = forceOf(gap.grid, pressure.pressure, columns, begin);
+  const double x = contact.grids().originOf(of.patch).x + centre.x;
+  const PlanePoint origin = beside(contact.rail(), places.rail_u, x);
+  const Force force = forceOf(gap.grid, x, pressure.pressure, columns, begin);
   const double angle = std::atan2(force.outward, force.down), sign = sideSign(side);
   out.side = side;
-  out.pose = {contact.grids().originOf(of.patch).x + centre.x, sign * origin.y, origin.z, sign * angle};
   out.contact_angle = angle;
   out.normal_force = std::hypot(force.outward, force.down);
+  out.slope_along = force.forward / out.normal_force;
+  out.pose = {x, sign * origin.y, origin.z, sign * angle, -std::atan(out.slope_along)};
   out.vertical_force = force.down;
   out.lateral_force = force.outward;
   placeOnBodies(balance.config(), balance.pose(), contact.rail(), places, out);
@@ -211,12 +226,13 @@ void placeOnBodies(const ContactModelConfig& config, const WheelsetPose& axle, c
 
   const Profile& wheel = *config.wheel_profile[patch.side];
   const PlacedWheel placed(wheel, config.wheelset, patch.side, toSide(patch.side, axle));
-  const double wheel_u = placed.opposite(rail.at(places.rail_u), patch.pose.x, places.wheel_u);
+  const double wheel_u = placed.opposite(beside(rail, places.rail_u, patch.pose.x), patch.pose.x, places.wheel_u);
   const CurvePoint on_wheel = wheel.at(wheel_u);
   patch.rolling_radius = config.wheelset.rolling_radius[patch.side] - on_wheel.z;
   patch.wheel_s = arcFromOrigin(wheel, wheel_u);
   patch.rail_s = arcFromOrigin(rail.profile(), places.rail_u);
   patch.curvature_along = std::abs(on_wheel.dy) / std::hypot(on_wheel.dy, on_wheel.dz) / patch.rolling_radius;
+  patch.curvature_along -= rail.along(places.rail_u).curvature;
   patch.curvature_across = on_wheel.curvature() - rail.profile().at(places.rail_u).curvature();
 }
 }  // namespace wheel_rail_contact::core

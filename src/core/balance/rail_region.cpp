@@ -18,31 +18,37 @@ struct Extent
   double least = infinity, most = -infinity;
 };
 
-/// Half-length of the overlap of a wheel circle that is `depth` too low [m].
-double halfLength(const PlacedWheel& wheel, const InitialContact& contact, double depth)
+/// Half-length of the overlap of a wheel circle that is `depth` too low, by the height [m].
+double halfLength(const PlacedWheel& wheel, const PlacedRail& rail, const InitialContact& contact, double depth)
 {
-  const double radius = wheel.sections().radius - wheel.profile().at(contact.wheel_u).z;
-  return std::sqrt(2 * std::max(depth, 0.0) * radius);
+  const CurvePoint point = wheel.profile().at(contact.wheel_u);
+  const double radius = wheel.sections().radius - point.z, cosine = 1 / std::hypot(1, contact.slope);
+  const double relative =
+      rail.changes() ? cosine * wheel.touchAlong(rail.along(contact.rail_u), point, 0).radius : radius;
+  return std::sqrt(2 * std::max(depth, 0.0) * relative);
 }
 
 /// Range of an overlap whose middle line is the contact locus and whose half-length falls towards its ends as that of
 /// an ellipse. At its deepest place it is `depth` deep [m].
-void addExtent(const PlacedWheel& wheel, const OverlapInterval& interval, double depth, Extent& extent)
+void addExtent(const PlacedWheel& wheel, const PlacedRail& rail, const OverlapInterval& interval, double depth,
+               Extent& extent)
 {
   const double shift = interval.contact.wheel_u - interval.contact.rail_u;
   Extent locus;
   for (const double u : {interval.contact.wheel_u, interval.u_begin + shift, interval.u_end + shift})
   {
     SpacePoint point{};
-    if (wheel.locus(wheel.profile().at(u), point))
+    const CurvePoint on_wheel = wheel.profile().at(u);
+    if (wheel.locus(on_wheel, point))
     {
-      locus.least = std::min(locus.least, point.x);
-      locus.most = std::max(locus.most, point.x);
+      const double x = rail.changes() ? wheel.touchAlong(rail.along(u - shift), on_wheel, point.x).x : point.x;
+      locus.least = std::min(locus.least, x);
+      locus.most = std::max(locus.most, x);
     }
   }
   const double spread = locus.most - locus.least;
   const double half =
-      tuning::overlap_margin * spread + std::hypot(0.5 * spread, halfLength(wheel, interval.contact, depth));
+      tuning::overlap_margin * spread + std::hypot(0.5 * spread, halfLength(wheel, rail, interval.contact, depth));
   const double middle = 0.5 * (locus.least + locus.most);
   extent.least = std::min(extent.least, middle - half);
   extent.most = std::max(extent.most, middle + half);
@@ -65,20 +71,21 @@ std::pair<Eigen::Index, Eigen::Index> loadedLines(Eigen::Index count, const Line
 }
 }  // namespace
 
-RailRegion overlapOf(const PlacedWheel& wheel, const OverlapInterval* begin, const OverlapInterval* end, double lower)
+RailRegion overlapOf(const PlacedWheel& wheel, const PlacedRail& rail, const OverlapInterval* begin,
+                     const OverlapInterval* end, double lower)
 {
   Extent extent;
   std::for_each(begin, end,
                 [&](const OverlapInterval& interval)
-                { addExtent(wheel, interval, lower - interval.contact.separation, extent); });
+                { addExtent(wheel, rail, interval, lower - interval.contact.separation, extent); });
   const double u_begin = begin->u_begin, u_end = (end - 1)->u_end;
   const double along = tuning::overlap_margin * (extent.most - extent.least);
   const double across = tuning::overlap_margin * (u_end - u_begin);
   return {extent.least - along, extent.most + along, u_begin - across, u_end + across};
 }
 
-bool findContact(const RailSearch& search, const PlacedWheel& wheel, const OverlapInterval& interval, double lower,
-                 RailRegion& part)
+bool findContact(const RailSearch& search, const PlacedWheel& wheel, const PlacedRail& rail,
+                 const OverlapInterval& interval, double lower, RailRegion& part)
 {
   if (!interval.has_one_minimum)
   {
@@ -86,12 +93,12 @@ bool findContact(const RailSearch& search, const PlacedWheel& wheel, const Overl
   }
   const double separation = interval.contact.separation, depth = lower - separation;
   const double share =
-      contactShare(halfLength(wheel, interval.contact, depth), 0.5 * (interval.u_end - interval.u_begin));
+      contactShare(halfLength(wheel, rail, interval.contact, depth), 0.5 * (interval.u_end - interval.u_begin));
   const double widened = tuning::contact_margin * tuning::contact_margin;
   OverlapInterval contact = interval;
   search.moveEnds(separation + std::min(widened * (1 - share), 1.0) * depth, contact);
   Extent extent;
-  addExtent(wheel, contact, std::min(widened * share, 1.0) * depth, extent);
+  addExtent(wheel, rail, contact, std::min(widened * share, 1.0) * depth, extent);
   part = {extent.least, extent.most, contact.u_begin, contact.u_end};
   return true;
 }

@@ -17,12 +17,13 @@ struct RailRegion
 };
 
 /// Part of the rail that a wheel overlaps in the intervals, with a margin. The wheel is `lower` below its place [m].
-RailRegion overlapOf(const PlacedWheel& wheel, const OverlapInterval* begin, const OverlapInterval* end, double lower);
+RailRegion overlapOf(const PlacedWheel& wheel, const PlacedRail& rail, const OverlapInterval* begin,
+                     const OverlapInterval* end, double lower);
 
 /// Finds the part that a Hertzian contact with the same overlap would need, with a margin.
 /// @return false unless the separation has one minimum
-bool findContact(const RailSearch& search, const PlacedWheel& wheel, const OverlapInterval& interval, double lower,
-                 RailRegion& part);
+bool findContact(const RailSearch& search, const PlacedWheel& wheel, const PlacedRail& rail,
+                 const OverlapInterval& interval, double lower, RailRegion& part);
 
 /// Region of the rail that contains the middles of the loaded cells of a grid and `margin` cells more on each side.
 /// Without load, it is empty: its ends are infinite, in reverse order.

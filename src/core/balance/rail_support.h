@@ -36,6 +36,10 @@ class SupportedRail
   /// Sets the displacement besides the prescribed one and that by forces.
   void displace(const RailDeflection& displacement);
 
+  /// Sets how it is displaced along the track.
+  void setMotion(const RailMotion& motion) { motion_ = motion; }
+  const RailMotion& motion() const { return motion_; }
+
   /// Sets constant forces on it, besides those of under().
   void bear(const Eigen::Vector3d& forces);
 
@@ -60,6 +64,7 @@ class SupportedRail
   bool bends_;
   Eigen::Vector3d prescribed_ = Eigen::Vector3d::Zero();
   RailDeflection displacement_;
+  RailMotion motion_;
   Eigen::Vector3d borne_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d offset_;  ///< all three together
 };

@@ -54,6 +54,12 @@ void WheelEquilibrium::moveTo(double x)
   }
 }
 
+void WheelEquilibrium::setMotion(const RailMotion& motion)
+{
+  is_bent_ = is_bent_ || !(motion == rail_.motion());
+  rail_.setMotion(motion);
+}
+
 void WheelEquilibrium::setRail(double lateral, const RailDeflection& displaced)
 {
   const RailBendingConfig& bending = config_.rail_bending;
@@ -66,10 +72,13 @@ void WheelEquilibrium::setRail(double lateral, const RailDeflection& displaced)
 void WheelEquilibrium::place(const Eigen::Vector3d& forces)
 {
   const Eigen::Vector3d coordinates = rail_.under(forces);
-  if (!placed_ || coordinates != *placed_)
+  if (!placed_ || coordinates != *placed_ || is_bent_)
   {
-    contact_.setRail(rail_.atRest().deflected(toDeflection(coordinates)), !placed_);
+    PlacedRail rail = rail_.atRest().deflected(toDeflection(coordinates));
+    rail.setMotion(rail_.motion());
+    contact_.setRail(rail, !placed_);
     placed_ = coordinates;
+    is_bent_ = false;
   }
 }
 
@@ -390,6 +399,7 @@ RailResult WheelEquilibrium::rail() const
   RailResult result;
   result.deflection = toDeflection(rail_.under(forces_));
   result.given = rail_.displacement();
+  result.slope = rail_.motion().slope;
   const Eigen::Vector3d forces = forces_ + rail_.borne();
   result.lateral_force = forces[0];
   result.vertical_force = -forces[1];

@@ -34,6 +34,8 @@ class WheelEquilibrium
   void reset();
   /// Moves along the line to x [m], which the sections of the rail contain.
   void moveTo(double x);
+  /// Sets how the rail is displaced along the track there.
+  void setMotion(const RailMotion& motion);
   /// Rail in the ideal track at the place of the last moveTo().
   const PlacedRail& restingRail() const { return rail_.atRest(); }
   /// Sets what else moves the rail. The start is the deflection of the last solution.
@@ -136,6 +138,7 @@ class WheelEquilibrium
   double given_lateral_ = 0;
   Eigen::Vector3d forces_ = Eigen::Vector3d::Zero();  ///< on the rail, along its coordinates
   std::optional<Eigen::Vector3d> placed_;             ///< coordinates at which the rail lies, since moveTo()
+  bool is_bent_ = false;                              ///< its motion is another one than there
   double height_ = 0, touch_slope_ = 0;
   bool loaded_ = false;
   Response response_;

@@ -199,11 +199,14 @@ WheelsetState WheelsetBalance::placeOnLine(WheelsetState state)
   }
   if (const TrackLine* line = config_.track.line.get())
   {
-    const Sides<RailDeflection> displaced = displacementsAt(
-        line->at(state.distance),
-        {wheel(Side::left).restingRail().referencePoint(), wheel(Side::right).restingRail().referencePoint()});
-    state.rail_displacement.left += displaced.left;
-    state.rail_displacement.right += displaced.right;
+    const Sides<PlanePoint> heads([this](Side side) { return wheel(side).restingRail().referencePoint(); });
+    const Sides<RailDeflection> displaced = displacementsAt(line->at(state.distance), heads);
+    const Sides<RailMotion> motions = motionsAt(*line, state.distance, heads);
+    for (const Side side : sides)
+    {
+      state.rail_displacement[side] += displaced[side];
+      wheel(side).setMotion(motions[side]);
+    }
   }
   return state;
 }

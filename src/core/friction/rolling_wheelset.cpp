@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/constants.h"
-#include "core/track/rail_along.h"
 #include "core/track/root_bracket.h"
 #include "wheel_rail_contact/core/sides.h"
 
@@ -15,35 +14,12 @@ using Eigen::Vector3d;
 
 namespace
 {
-constexpr double half_station = 1e-3;  ///< for the direction of a rail on a line [m]
 constexpr double narrow_range = 1e-4;  ///< of the free rotation about the last one, at first [-]
 constexpr int most_secants = 6;
 constexpr double largest_secant = 0.01;  ///< distance from the last rotation, over that of pure rolling [-]
 /// Accuracy of the free rotation, which is that of the longitudinal creepage [-]. The tractions of `exact` change by
 /// 5e-4 in their last sweep, which is the change by a longitudinal creepage of about 1e-6.
 constexpr double rotation_accuracy = 1e-8, rotation_accuracy_exact = 1e-6;
-
-/// Direction of each rail: the change of its displacement along the track by a line.
-Sides<RailRates> slopesAt(const TrackLine* line, double distance, const WheelsetBalance& balance)
-{
-  if (line == nullptr)
-  {
-    return {};
-  }
-  const auto head = [&](Side side) { return balance.wheel(side).restingRail().referencePoint(); };
-  const double begin = std::max(line->begin(), distance - half_station);
-  const double end = std::min(line->end(), distance + half_station), length = end - begin;
-  const Sides<PlanePoint> heads(head);
-  const Sides<RailDeflection> from = displacementsAt(line->at(begin), heads);
-  const Sides<RailDeflection> to = displacementsAt(line->at(end), heads);
-  const auto slope = [&](Side side)
-  {
-    const RailDeflection &one = from[side], &other = to[side];
-    return RailRates{(other.lateral - one.lateral) / length, (other.vertical - one.vertical) / length,
-                     (other.roll - one.roll) / length};
-  };
-  return Sides<RailRates>(slope);
-}
 }  // namespace
 
 RollingWheelset::RollingWheelset(const ContactModelConfig& config)
@@ -89,10 +65,9 @@ void RollingWheelset::setContacts(const WheelsetState& state, const WheelsetBala
 {
   count_ = 0;
   contact_of_.clear();
-  slopes_ = slopesAt(config_.track.line.get(), state.distance, balance);
   for (const Side side : sides)
   {
-    const RailRates &slope = slopes_[side], &velocity = state.rail_velocity[side];
+    const RailRates slope = balance.wheel(side).rail().slope, &velocity = state.rail_velocity[side];
     const Islands& islands = balance.islands(side);
     for (std::size_t i = 0; balance.wheel(side).loaded() && i < islands.islands().size(); ++i)
     {
@@ -258,7 +233,6 @@ void RollingWheelset::addTo(const WheelsetBalance& balance, WheelsetResult& resu
   {
     const std::vector<Island>& islands = balance.islands(side).islands();
     WheelForces& wheel = result.wheel[side];
-    result.rail[side].slope = slopes_[side];
     for (std::size_t i = 0; balance.wheel(side).loaded() && i < islands.size(); ++i, ++patch)
     {
       PatchResult& of = result.patches[patch];

@@ -48,7 +48,6 @@ class RollingWheelset
   const ContactModelConfig& config_;
   Sides<ShearElasticity> elasticity_;
   WheelsetMotion motion_;
-  Sides<RailRates> slopes_;
   std::vector<RollingContact> contacts_;  ///< only the first ones are contacts of the balance; left side first
   std::size_t count_ = 0;
   std::vector<std::size_t> contact_of_;  ///< contact of each patch of the result

@@ -6,8 +6,9 @@
 
 namespace wheel_rail_contact::core
 {
-constexpr std::size_t most_parts = 16;    ///< of a rail for which memory is taken
-constexpr std::size_t fine_stations = 8;  ///< intervals of fewer stations: their width follows from the curvature
+constexpr std::size_t most_parts = 16;     ///< of a rail for which memory is taken
+constexpr std::size_t along_stations = 4;  ///< from one shape along the track to the next
+constexpr std::size_t fine_stations = 8;   ///< intervals of fewer stations: their width follows from the curvature
 
 /// Adds parameters of equidistant points of a part of a profile, about `spacing` apart, including both ends.
 void ContactSearch::sample(const ParameterRange& part, std::vector<double>& u)
@@ -35,6 +36,7 @@ ContactSearch::ContactSearch(const Profile& wheel, const Profile& rail, double l
     of_rail->reserve(room.count + most_parts);
   }
   rail_points_.reserve(room.count + most_parts);
+  along_.reserve(room.count / along_stations + 2);
   rail_outline_.reserve(room.count + most_parts);
   part_ends_.reserve(most_parts);
   sampleRail(rail);
@@ -106,6 +108,49 @@ void ContactSearch::setRail(const PlacedRail& rail, bool reshaped)
     first = end;
   }
   separation_.resize(stations_.count);
+  along_.clear();
+  for (std::size_t k = 0; rail.changes() && k < stations_.count + along_stations; k += along_stations)
+  {
+    const std::size_t last = std::min(k, stations_.count - 1);
+    along_.push_back(rail_outline_.z(last) > -infinity ? alongAt(rail_outline_.u(last)) : AlongShape());
+  }
+}
+
+/// Shape of the rail along the track at a parameter of its profile [m], as heights.
+AlongShape ContactSearch::alongAt(double rail_u) const
+{
+  constexpr double steepest = 0.2;  // cosine: beside a steeper face, the shape ends within a contact
+  const CurvePoint point = rail_->profile().at(rail_u);
+  const PlanePoint seen = turned(rail_->place(point));
+  const AlongShape shape = rail_->along(rail_u, point);
+  const double per_normal = 1 / std::max(seen.dy / std::sqrt(seen.dy * seen.dy + seen.dz * seen.dz), steepest);
+  return {per_normal * shape.slope, per_normal * shape.curvature};
+}
+
+/// Where a circle of the wheel touches a rail with this shape as heights. @param x0  of the locus on the circle [m]
+AlongTouch ContactSearch::touchOf(const AlongShape& shape, const CurvePoint& wheel, double x0) const
+{
+  return {shape, x0, wheel_->sections().radius - wheel.z};
+}
+
+/// Lowers points of the wheel by the lift of the rail beneath them: the rail is then a prism for the search.
+void ContactSearch::lowerWheel(std::size_t first, std::size_t end)
+{
+  constexpr double per_spacing = 1 / (spacing * along_stations);
+  for (std::size_t i = first; i < end; ++i)
+  {
+    const double place = (wheel_line_.y[i] - stations_.first) * per_spacing;
+    if (place >= 0 && place < static_cast<double>(along_.size() - 1))
+    {
+      const auto before = static_cast<std::size_t>(place);
+      const double share = place - static_cast<double>(before);
+      const AlongShape &one = along_[before], &other = along_[before + 1];
+      const AlongShape between{one.slope + share * (other.slope - one.slope),
+                               one.curvature + share * (other.curvature - one.curvature)};
+      const CurvePoint point{wheel_points_.y[i], wheel_points_.z[i], 1, wheel_points_.slope[i], 0, 0};
+      wheel_line_.z[i] -= touchOf(between, point, wheel_->locusX(point)).lift;
+    }
+  }
 }
 
 /// Range of the wheel points that can be above the rail, in whole groups: first point, and end (exclusive).
@@ -139,6 +184,10 @@ void ContactSearch::setWheel(const PlacedWheel& wheel)
   for (std::size_t i = first; scope_.axes.areTurned() && i < end; ++i)
   {
     scope_.axes.turn(wheel_line_.y[i], wheel_line_.z[i]);
+  }
+  if (!along_.empty())
+  {
+    lowerWheel(first, end);
   }
   wheel_outline_.add(wheel_line_, first, end);
   wheel_outline_.above(rail_outline_, separation_);

@@ -120,6 +120,10 @@ class ContactSearch
   bool isNear(const InitialContact& contact, std::size_t k) const;
   PlanePoint turned(const PlanePoint& point) const;
   bool exact(double rail_u, InitialContact& contact, double& slope_difference) const;
+  AlongShape alongAt(double rail_u) const;
+  double liftPerY(const InitialContact& contact, const CurvePoint& wheel, double x0, const AlongTouch& touch) const;
+  AlongTouch touchOf(const AlongShape& shape, const CurvePoint& wheel, double x0) const;
+  void lowerWheel(std::size_t first, std::size_t end);
   bool wheelAt(double y, double& u, CurvePoint& point, SpacePoint& locus) const;
   void setEnds(std::size_t first, std::size_t last, double separation, OverlapInterval& interval) const;
   static bool widenByCurvature(double separation, OverlapInterval& interval);
@@ -137,6 +141,7 @@ class ContactSearch
   Outline wheel_outline_{Outline::Envelope::lower};
   Outline rail_outline_{Outline::Envelope::upper};
   std::vector<double> separation_;
+  std::vector<AlongShape> along_;             ///< of the rail at some stations, as heights; empty for a prism
   std::vector<std::size_t> minima_;           ///< stations of the local minima of the separation, in increasing order
   std::size_t nearest_station_ = no_station;  ///< station of the last result of nearest()
   InitialContact nearest_;                    ///< last result of nearest()

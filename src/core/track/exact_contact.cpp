@@ -76,8 +76,34 @@ bool ContactSearch::exact(double rail_u, InitialContact& contact, double& slope_
   contact.slope = rail.dz / rail.dy;
   slope_difference = wheel.dz / wheel.dy - contact.slope;
   const double length_squared = 1 + contact.slope * contact.slope;  // of the tangent, per unit of y
+  if (!along_.empty())
+  {
+    const AlongTouch touch = touchOf(alongAt(rail_u), wheel_point, locus.x);
+    contact.separation -= touch.lift;
+    slope_difference -= liftPerY(contact, wheel_point, locus.x, touch);
+  }
   contact.curvature = (wheel_point.curvature() - rail_point.curvature()) * length_squared * std::sqrt(length_squared);
   return std::isfinite(contact.separation) && std::isfinite(slope_difference);
+}
+
+/// Change of the lift along y [-], with the place at which the wheel touches the prism.
+double ContactSearch::liftPerY(const InitialContact& contact, const CurvePoint& wheel, double x0,
+                               const AlongTouch& touch) const
+{
+  constexpr double step = 1e-4;  // along the profiles [m]
+  const double cosine = 1 / std::sqrt(1 + contact.slope * contact.slope);
+  const AlongShape before = alongAt(contact.rail_u - step), after = alongAt(contact.rail_u + step);
+  const double per_y = 1 / (2 * step * cosine);
+  double lift = per_y * (after.at(touch.x) - before.at(touch.x));
+  SpacePoint beside{};
+  const CurvePoint next = wheel_->profile().at(contact.wheel_u + step);
+  if (wheel_->pose().yaw != 0 && wheel_->locus(next, beside))
+  {
+    const double dy = scope_.axes.cosine * (next.y - wheel.y) + scope_.axes.sine * (next.z - wheel.z);
+    const AlongShape here = alongAt(contact.rail_u);
+    lift += here.slopeAt(touch.x) * (beside.x - x0) / dy;
+  }
+  return lift;
 }
 
 /// True if a contact is next to its station and not higher. Where an outline hides a fold of its profile, the path

@@ -36,7 +36,7 @@ class SurfaceGapBuilder
   SurfaceGapBuilder(const PlacedWheel& wheel, const PlacedRail& rail, const SurfaceOrigin& origin, const Grid& grid)
       : grid_(grid),
         x_(origin.x),
-        rail_(rail.frame()),
+        rail_(rail),
         wheel_(wheel.sections()),
         heights_(wheel.profile(), wheel_),
         wheel_profile_(wheel.profile()),
@@ -96,7 +96,8 @@ class SurfaceGapBuilder
   /// @param speed  set to the arc length per unit of the parameter
   SurfaceColumn railColumn(double u, double& speed)
   {
-    const PlanePoint point = rail_.at(rail_profile_.at(u));
+    const CurvePoint on_profile = rail_profile_.at(u);
+    const PlanePoint point = rail_.place(on_profile);
     SurfaceColumn column;
     column.y = point.y;
     column.z = point.z;
@@ -105,6 +106,10 @@ class SurfaceGapBuilder
     column.cosine = point.dy * per_length;
     column.sine = point.dz * per_length;
     column.rail_u = u;
+    if (rail_.changes())
+    {
+      column.along = rail_.along(u, on_profile);
+    }
     return column;
   }
 
@@ -136,6 +141,10 @@ class SurfaceGapBuilder
   bool fillGroup(int count, Eigen::ArrayXXd& gap, Eigen::ArrayXXd& slope, std::vector<SurfaceColumn>& columns)
   {
     const Numbers sum = fillRows(count, gap, slope);
+    if (rail_.changes())
+    {
+      subtractRail(count, columns, gap);
+    }
     bool found_any = false;
     for (int k = 0; k < count; ++k)
     {
@@ -149,6 +158,19 @@ class SurfaceGapBuilder
       columns[static_cast<std::size_t>(column(k))].has_bodies = found;
     }
     return found_any;
+  }
+
+  /// Subtracts the shape of the rail along the track in the columns of the first `count` places of the group.
+  void subtractRail(int count, const std::vector<SurfaceColumn>& columns, Eigen::ArrayXXd& gap) const
+  {
+    for (int k = 0; k < count; ++k)
+    {
+      const AlongShape& along = columns[static_cast<std::size_t>(column(k))].along;
+      for (Eigen::Index row = 0; row < gap.rows(); ++row)
+      {
+        gap(row, column(k)) -= along.at(x_ + grid_.x(static_cast<int>(row)));
+      }
+    }
   }
 
   /// Evaluates each cell, from the middle of the columns to both of their ends. Returns the sum of the heights.
@@ -179,7 +201,7 @@ class SurfaceGapBuilder
 
   Grid grid_;
   double x_;
-  RailFrame rail_;
+  const PlacedRail& rail_;
   WheelSections wheel_;
   ColumnHeights heights_;
   ProfileCursor wheel_profile_, rail_profile_;

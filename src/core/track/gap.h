@@ -28,6 +28,7 @@ struct SurfaceColumn
   double wheel_u = 0;           ///< parameter of the wheel profile at the point opposite the middle of the column [m]
   double wheel_slope = 0;       ///< slope of the wheel relative to the plane at this point, towards the field side [-]
 
+  AlongShape along;    ///< of the rail, along its normal
   double overlap = 0;  ///< largest overlap in the column [m]; 0 without
 
   /// The same slope, as the mean over the expected pressure of the column; without overlap at the lowest place. The

@@ -84,6 +84,39 @@ PlacedRail PlacedRail::deflected(const RailDeflection& deflection) const
   return moved;
 }
 
+AlongShape AlongTable::at(double u) const
+{
+  const double place = std::clamp(u / spacing, 0.0, static_cast<double>(shapes.size() - 1));
+  const auto before = static_cast<std::size_t>(place), after = std::min(before + 1, shapes.size() - 1);
+  const double share = place - static_cast<double>(before);
+  const AlongShape &one = shapes[before], &other = shapes[after];
+  return {one.slope + share * (other.slope - one.slope), one.curvature + share * (other.curvature - one.curvature)};
+}
+
+void PlacedRail::setAlong(std::shared_ptr<const AlongTable> sections, const RailMotion& motion)
+{
+  sections_ = std::move(sections);
+  motion_ = motion;
+  changes_ = sections_ != nullptr || !(motion == RailMotion());
+}
+
+/// A section that moves by m along its tangent shows its own curvature, and one that also turns by w, 2 m w.
+AlongShape PlacedRail::along(double u, const CurvePoint& point) const
+{
+  AlongShape shape = sections_ ? sections_->at(u) : AlongShape();
+  const PlanePoint place = this->place(point), head = referencePoint();
+  const double per_length = 1 / std::sqrt(place.dy * place.dy + place.dz * place.dz), cosine = place.dy * per_length,
+               sine = place.dz * per_length;
+  const double y = place.y - head.y, z = place.z - head.z;
+  const auto lateral = [&](const RailRates& rates) { return rates.lateral + rates.roll * z; };
+  const auto vertical = [&](const RailRates& rates) { return rates.vertical - rates.roll * y; };
+  const auto normal = [&](const RailRates& rates) { return cosine * vertical(rates) - sine * lateral(rates); };
+  const double tangential = cosine * lateral(motion_.slope) + sine * vertical(motion_.slope);
+  shape.slope += normal(motion_.slope);
+  shape.curvature += normal(motion_.bend) + tangential * (2 * motion_.slope.roll + tangential * point.curvature());
+  return shape;
+}
+
 void PlacedRail::turn(double angle)
 {
   frame_.cosine = std::cos(angle);
@@ -137,6 +170,12 @@ bool PlacedWheel::locus(const CurvePoint& p, SpacePoint& out) const
   return std::abs(locus.sine) < 1;
 }
 
+double PlacedWheel::locusX(const CurvePoint& p) const
+{
+  const LocusOnCircle locus(sections_, p.y, p.z, p.slope());
+  return sections_.axle_x * locus.along + locus.radius * locus.sine * forward_x_;
+}
+
 WHEEL_RAIL_CONTACT_WIDE void PlacedWheel::loci(const WheelPoints& points, std::size_t first, std::size_t end, double* y,
                                                double* z) const
 {
@@ -186,15 +225,17 @@ double overlapAlongNormal(const PlacedWheel& wheel, const PlacedRail& rail, doub
        ++i)
   {
     const PlanePoint on_rail = rail.at(rail_u);
-    wheel_u = wheel.opposite(on_rail, locus.x, wheel_u);
+    const AlongShape along = rail.along(rail_u);
+    const double x = rail.changes() ? wheel.touchAlong(along, wheel.profile().at(wheel_u), locus.x).x : locus.x;
+    wheel_u = wheel.opposite(on_rail, x, wheel_u);
     const CurvePoint profile = wheel.profile().at(wheel_u);
-    if (!wheel.section(profile, locus.x, on_wheel))
+    if (!wheel.section(profile, x, on_wheel))
     {
       break;
     }
     const Eigen::Vector2d tangent = Eigen::Vector2d(on_rail.dy, on_rail.dz).normalized();
     const Eigen::Vector2d normal(-tangent.y(), tangent.x()), direction(on_wheel.dy, on_wheel.dz);
-    depth = std::max(depth, -normal.dot(Eigen::Vector2d(on_wheel.y - on_rail.y, on_wheel.z - on_rail.z)));
+    depth = std::max(depth, along.at(x) - normal.dot(Eigen::Vector2d(on_wheel.y - on_rail.y, on_wheel.z - on_rail.z)));
     const double slope = normal.dot(direction) / tangent.dot(direction);
     (slope > 0 ? high : low) = rail_u;
     step = -slope / (profile.curvature() - rail.profile().at(rail_u).curvature());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -10,6 +11,7 @@
 #include "wheel_rail_contact/core/profile.h"
 #include "wheel_rail_contact/core/rail_compliance.h"
 #include "wheel_rail_contact/core/track.h"
+#include "wheel_rail_contact/core/wheelset_result.h"
 
 namespace wheel_rail_contact::core
 {
@@ -53,6 +55,60 @@ struct RailFrame
   }
 };
 
+/// Shape of a rail along the track, from its prism, to second order in x [m]: heights along the normal of its section,
+/// or along the axis of a search.
+struct AlongShape
+{
+  double slope = 0;      ///< at the place of the axle [-]
+  double curvature = 0;  ///< second derivative; positive in a dip [1/m]
+
+  double at(double x) const { return x * (slope + 0.5 * curvature * x); }
+  double slopeAt(double x) const { return slope + curvature * x; }
+};
+
+/// Highest place of a shape along the track for a circle, and by how much it lifts the circle from the prism.
+struct AlongTouch
+{
+  /// @param x0  place at which the circle touches the prism [m]
+  AlongTouch(const AlongShape& shape, double x0, double circle_radius)
+      : radius(1 / std::max(1 / circle_radius - shape.curvature, least_curvature)),
+        x(x0 + radius * shape.slopeAt(x0)),
+        lift(shape.at(x0) + 0.5 * radius * shape.slopeAt(x0) * shape.slopeAt(x0))
+  {
+  }
+
+  double radius;  ///< of the circle relative to the shape [m]
+  double x;       ///< [m]
+  double lift;    ///< [m]
+
+ private:
+  static constexpr double least_curvature = 0.05;  ///< in a dip that is as round as the wheel [1/m]
+};
+
+/// Motion of the section of a rail along the track: derivatives of its displacement with respect to x.
+struct RailMotion
+{
+  RailRates slope;  ///< first ones [-], [rad/m]
+  RailRates bend;   ///< second ones [1/m], [rad/m²]
+
+  bool operator==(const RailMotion& other) const
+  {
+    const auto equal = [](const RailRates& a, const RailRates& b)
+    { return a.lateral == b.lateral && a.vertical == b.vertical && a.roll == b.roll; };
+    return equal(slope, other.slope) && equal(bend, other.bend);
+  }
+};
+
+/// Shape along the track at equidistant parameters of a profile that changes.
+struct AlongTable
+{
+  static constexpr double spacing = 1e-3;  ///< [m]
+
+  AlongShape at(double u) const;
+
+  std::vector<AlongShape> shapes;  ///< from u = 0 on
+};
+
 /// Rail in side axes: its profile is turned by the inclination, moved to gauge and displaced by the deflection.
 class PlacedRail
 {
@@ -70,6 +126,17 @@ class PlacedRail
 
   /// The same rail with its head displaced by `deflection` from its present position.
   PlacedRail deflected(const RailDeflection& deflection) const;
+
+  /// Sets its shape along the track: that of its sections, null for a prism, and how it is displaced.
+  void setAlong(std::shared_ptr<const AlongTable> sections, const RailMotion& motion);
+  /// Sets how it is displaced along the track.
+  void setMotion(const RailMotion& motion) { setAlong(sections_, motion); }
+  /// True if it changes along the track.
+  bool changes() const { return changes_; }
+  /// Shape along the track, along the normal, at the parameter u [m] of the profile.
+  AlongShape along(double u) const { return changes_ ? along(u, profile_->at(u)) : AlongShape(); }
+  /// The same at a known point of the profile.
+  AlongShape along(double u, const CurvePoint& point) const;
 
   /// Profile of the rail, in the profile frame.
   const Profile& profile() const { return *profile_; }
@@ -89,6 +156,9 @@ class PlacedRail
 
   std::shared_ptr<const Profile> profile_;
   RailFrame frame_;
+  std::shared_ptr<const AlongTable> sections_;
+  RailMotion motion_;
+  bool changes_ = false;
 };
 
 /// Point in side axes [m].
@@ -163,6 +233,8 @@ class PlacedWheel
   /// therefore touch where this outline touches the rail profile.
   /// @return false if there is no such point (the profile is too steep for the yaw).
   bool locus(const CurvePoint& p, SpacePoint& out) const;
+  /// x of this point [m].
+  double locusX(const CurvePoint& p) const;
   /// y and z of the locus for the points `first` to `end` (exclusive); NaN where there is none. Both indices are
   /// multiples of WheelPoints::together. `y` and `z` have one element for each point.
   void loci(const WheelPoints& points, std::size_t first, std::size_t end, double* y, double* z) const;
@@ -180,6 +252,14 @@ class PlacedWheel
   /// Newton's method from `u`: a wheel turns little over the distance.
   double opposite(const PlanePoint& origin, double x, double u) const;
 
+  /// Where the circle through a profile point touches a rail with this shape along its normal.
+  /// @param x0  of the locus on this circle [m]
+  AlongTouch touchAlong(const AlongShape& normal, const CurvePoint& p, double x0) const
+  {
+    // Along its normal, a cone is less curved than its circles (Meusnier's theorem).
+    return {normal, x0, (sections_.radius - p.z) * std::hypot(p.dy, p.dz) / std::max(std::abs(p.dy), least_cosine)};
+  }
+
   /// Sections of the wheel, in side axes.
   const WheelSections& sections() const { return sections_; }
 
@@ -189,6 +269,8 @@ class PlacedWheel
   const WheelsetPose& pose() const { return pose_; }
 
  private:
+  static constexpr double least_cosine = 0.01;  ///< of a flank
+
   const Profile* profile_;
   WheelsetPose pose_;
   WheelSections sections_;

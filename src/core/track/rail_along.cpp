@@ -7,6 +7,10 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
+/// Half the length over which a rail is compared with its second order along the track: that of a contact and the way
+/// by which a slope moves it [m].
+constexpr double contact_reach = 5e-3;
+
 /// Mean of two positions of a rail with the same angle; share 0: the first one.
 RailFrame between(const RailFrame& one, const RailFrame& other, double share)
 {
@@ -82,6 +86,28 @@ Sides<RailDeflection> displacementsAt(const LineStation& station, const Sides<Pl
                        std::sin(tilt) * y + std::cos(tilt) * z - rest.z, in_plane.roll - tilt};
   }
   return displaced;
+}
+
+Sides<RailMotion> motionsAt(const TrackLine& line, double distance, const Sides<PlanePoint>& at_rest)
+{
+  const double half = std::min(contact_reach, 0.5 * (line.end() - line.begin()));
+  const double middle = std::clamp(distance, line.begin() + half, line.end() - half), beyond = distance - middle;
+  const auto displaced = [&](double x) { return displacementsAt(line.at(x), at_rest); };
+  const Sides<RailDeflection> before = displaced(middle - half), here = displaced(middle),
+                              after = displaced(middle + half);
+  const auto motion = [&](Side side)
+  {
+    const RailDeflection &a = before[side], &b = here[side], &c = after[side];
+    const auto bend = [half](double one, double mid, double other) { return (one - 2 * mid + other) / (half * half); };
+    const RailRates bends{bend(a.lateral, b.lateral, c.lateral), bend(a.vertical, b.vertical, c.vertical),
+                          bend(a.roll, b.roll, c.roll)};
+    const auto slope = [&](double one, double other, double turn)
+    { return (other - one) / (2 * half) + turn * beyond; };
+    return RailMotion{{slope(a.lateral, c.lateral, bends.lateral), slope(a.vertical, c.vertical, bends.vertical),
+                       slope(a.roll, c.roll, bends.roll)},
+                      bends};
+  };
+  return Sides<RailMotion>(motion);
 }
 
 double middleOf(const Sides<RailDeflection>& displaced)

@@ -45,6 +45,9 @@ PlacedRail railAt(const RailSections& sections, const TrackConfig& track, Side s
 /// @param at_rest  reference points of the rails in the ideal track, side axes
 Sides<RailDeflection> displacementsAt(const LineStation& station, const Sides<PlanePoint>& at_rest);
 
+/// Motion of the rail of each Side along the track at a place of a line, as seen over a contact. Side axes.
+Sides<RailMotion> motionsAt(const TrackLine& line, double distance, const Sides<PlanePoint>& at_rest);
+
 /// Lateral position of the centre between displaced rails, left positive [m].
 double middleOf(const Sides<RailDeflection>& displaced);
 

@@ -76,28 +76,31 @@ class LineTest : public testing::Test
   ContactModelConfig scene_ = manchesterScene();
 };
 
-TEST_F(LineTest, ResultIsThatOfTheSameDisplacementGivenWithTheState)
+TEST_F(LineTest, WhereRailsAreStraightTheResultIsThatOfTheSameDisplacementGivenWithTheState)
 {
+  std::vector<LineStation> pieces;  // each straight about a station
+  for (std::size_t i = 0; i < 2 * stations_.size(); ++i)
+  {
+    pieces.push_back(stations_[i / 2]);
+    pieces.back().x += i % 2 == 0 ? -0.05 : 0.05;
+  }
   for (const bool soft : {false, true})
   {
     SCOPED_TRACE(soft ? "soft rails" : "rigid rails");
     scene_.rail_bending.model = soft ? RailBendingConfig::Model::compliance : RailBendingConfig::Model::none;
     scene_.rail_bending.table = softPads();
-    const auto line = lineOf(stations_);
-    WheelsetContact on_line(sceneOn(line)), given(scene_);
-    for (WheelsetState state : run(0.4))
+    WheelsetContact on_line(sceneOn(lineOf(pieces))), given(scene_);
+    for (WheelsetState state : run(0.25))
     {
       SCOPED_TRACE("distance " + std::to_string(state.distance));
       state.rail_displacement.left = {within(1e-3), within(1e-3), within(1e-3)};  // is added to that of the line
       const WheelsetResult& a = on_line.evaluate(state);
-      const WheelsetResult& b = given.evaluate(displaced(state, *line));
+      const WheelsetResult& b = given.evaluate(displaced(state, *on_line.config().track.line));
       ASSERT_TRUE(isUsable(a.status)) << a.reason;
       expectSameBits(a, b);
       for (const Side side : sides)
       {
-        EXPECT_EQ(a.rail[side].given.lateral, b.rail[side].given.lateral);
-        EXPECT_EQ(a.rail[side].given.vertical, b.rail[side].given.vertical);
-        EXPECT_EQ(a.rail[side].given.roll, b.rail[side].given.roll);
+        EXPECT_EQ(toCoordinates(a.rail[side].given), toCoordinates(b.rail[side].given));
       }
     }
   }
