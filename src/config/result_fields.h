@@ -44,6 +44,7 @@ void visitPatch(const Visit& visit)
   visit(FIELD(wheel_s, "m", "arc length on the wheel profile, outward positive"));
   visit(FIELD(wheel_angle, "rad", "place around the wheel, forward positive"));
   visit(FIELD(rail_s, "m", "arc length on the rail profile, outward positive"));
+  visit(FIELD(slope_along, "-", "slope of the rail along the track, in the patch frame, upward positive"));
   visit(FIELD(curvature_along, "1/m", "combined, along x, convex positive"));
   visit(FIELD(curvature_across, "1/m", "combined, across, convex positive"));
   visit(FIELD(normal_stiffness, "N/m", "normal force per approach"));

@@ -34,6 +34,7 @@ struct Pose
   Eigen::Vector3d position;  ///< [m]
   double yaw, roll;          ///< [rad]
   double axle_x;             ///< x of the axle centre [m]
+  double pitch = 0;          ///< of a patch frame [rad]
 };
 
 /// Numbers x, y, z (and w) as an array with these names.
@@ -122,7 +123,8 @@ void bindPose(py::module& module)
           [](const Pose& pose)
           {
             const Eigen::Quaterniond q = Eigen::AngleAxisd(pose.yaw, Eigen::Vector3d::UnitZ()) *
-                                         Eigen::AngleAxisd(pose.roll, Eigen::Vector3d::UnitX());
+                                         Eigen::AngleAxisd(pose.roll, Eigen::Vector3d::UnitX()) *
+                                         Eigen::AngleAxisd(pose.pitch, Eigen::Vector3d::UnitY());
             return vectorOf(q.x(), q.y(), q.z(), q.w());
           },
           "quaternion x, y, z, w; (4,)")
@@ -175,7 +177,7 @@ void bindPatch(py::module& module)
           {
             const double x = p.result->x;
             const core::PatchPose& pose = p.patch->pose;
-            return Pose{{x + pose.x, pose.y, pose.z}, 0, pose.angle, x};
+            return Pose{{x + pose.x, pose.y, pose.z}, 0, pose.angle, x, pose.pitch};
           },
           "patch frame; its origin is the centre of pressure")
       .def_property_readonly(

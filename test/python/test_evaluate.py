@@ -22,7 +22,7 @@ LOAD = -200e3  # of the axle [N]
 PADS = {"rail_bending": {"model": "compliance", "table": "config/rails/pads_40_100.yaml"}}
 PATCH_FIELDS = ("method", "contact_angle", "normal_force", "approach", "area", "max_pressure", "error_estimate", "iterations",
                 "residual", "half_space_ratio", "model_error", "vertical_force", "lateral_force", "semi_axis_along",
-                "semi_axis_across", "rolling_radius", "wheel_s", "wheel_angle", "rail_s", "curvature_along", "curvature_across", "normal_stiffness")
+                "semi_axis_across", "rolling_radius", "wheel_s", "wheel_angle", "rail_s", "slope_along", "curvature_along", "curvature_across", "normal_stiffness")
 RAIL_FIELDS = ("lateral", "vertical", "roll", "lateral_force", "vertical_force", "moment", "given_lateral", "given_vertical",
                "given_roll", "lateral_slope", "vertical_slope", "roll_slope")
 WHEEL_FIELDS = ("vertical_force", "lateral_force", "friction_vertical_force", "friction_lateral_force")

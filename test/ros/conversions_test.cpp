@@ -34,6 +34,8 @@ core::PatchResult examplePatch(core::Side side)
   patch.wheel_s = -0.012;
   patch.wheel_angle = 0.002;
   patch.rail_s = -0.013;
+  patch.slope_along = 0.007;
+  patch.pose.pitch = -0.007;
   patch.curvature_along = 2.17;
   patch.curvature_across = 6.4;
   patch.normal_stiffness = 1.1e9;
@@ -93,13 +95,15 @@ void expectEqual(const core::PatchResult& a, const core::PatchResult& b)
   EXPECT_EQ(a.pose.y, b.pose.y);
   EXPECT_EQ(a.pose.z, b.pose.z);
   EXPECT_NEAR(a.pose.angle, b.pose.angle, 1e-15);
+  EXPECT_NEAR(a.pose.pitch, b.pose.pitch, 1e-15);
   EXPECT_EQ(a.iterations, b.iterations);
   for (const auto number :
-       {&Patch::contact_angle,    &Patch::normal_force,    &Patch::approach,         &Patch::area,
-        &Patch::max_pressure,     &Patch::error_estimate,  &Patch::residual,         &Patch::half_space_ratio,
-        &Patch::model_error,      &Patch::vertical_force,  &Patch::lateral_force,    &Patch::semi_axis_along,
-        &Patch::semi_axis_across, &Patch::rolling_radius,  &Patch::wheel_s,          &Patch::wheel_angle,
-        &Patch::rail_s,           &Patch::curvature_along, &Patch::curvature_across, &Patch::normal_stiffness})
+       {&Patch::contact_angle,    &Patch::normal_force,   &Patch::approach,        &Patch::area,
+        &Patch::max_pressure,     &Patch::error_estimate, &Patch::residual,        &Patch::half_space_ratio,
+        &Patch::model_error,      &Patch::vertical_force, &Patch::lateral_force,   &Patch::semi_axis_along,
+        &Patch::semi_axis_across, &Patch::rolling_radius, &Patch::wheel_s,         &Patch::wheel_angle,
+        &Patch::rail_s,           &Patch::slope_along,    &Patch::curvature_along, &Patch::curvature_across,
+        &Patch::normal_stiffness})
   {
     EXPECT_EQ(a.*number, b.*number);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -158,6 +158,12 @@ struct PatchPose
   double y = 0, z = 0;  ///< position of the origin, track frame [m]
   double angle = 0;     ///< rotation about x, right-handed [rad]
   double pitch = 0;     ///< rotation about y before it: minus the angle of the rail along the track [rad]
+
+  /// Rotation of the patch frame.
+  Eigen::Quaterniond rotation() const
+  {
+    return Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX()) * Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY());
+  }
 };
 
 /// One contact patch of a result.

@@ -153,6 +153,7 @@ core::PatchPose patchPoseFromMessage(const geometry_msgs::Pose& pose, double x)
   result.y = pose.position.y;
   result.z = pose.position.z;
   result.angle = 2 * std::atan2(pose.orientation.x, pose.orientation.w);
+  result.pitch = 2 * std::atan2(pose.orientation.y, pose.orientation.w);
   return result;
 }
 }  // namespace
@@ -217,7 +218,7 @@ geometry_msgs::Pose toMessage(const core::PatchPose& pose, double x)
   message.position.x = x + pose.x;
   message.position.y = pose.y;
   message.position.z = pose.z;
-  message.orientation = toMessage(Eigen::Quaterniond(Eigen::AngleAxisd(pose.angle, Eigen::Vector3d::UnitX())));
+  message.orientation = toMessage(pose.rotation());
   return message;
 }
 

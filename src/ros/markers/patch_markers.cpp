@@ -40,7 +40,7 @@ std::vector<PatchPicture> patchesOf(const core::WheelsetResult& result, core::Si
     {
       const int id = static_cast<int>(side) * ids_per_side + static_cast<int>(pictures.size());
       const Eigen::Isometry3d to_track(Eigen::Translation3d(x + patch.pose.x, patch.pose.y, patch.pose.z) *
-                                       Eigen::AngleAxisd(patch.pose.angle, Vector3d::UnitX()));
+                                       patch.pose.rotation());
       pictures.push_back({&patch, id, to_track, to_track * gridMiddle(patch.grid), to_track.linear()});
     }
   }

@@ -32,7 +32,7 @@ core::PatchPose carriedByRail(const core::PlacedRail& at_rest, core::Side side, 
   const double turn = after.angle() - before.angle(), sign = core::sideSign(side);
   const Eigen::Vector2d moved =
       Eigen::Vector2d(b.y, b.z) + Eigen::Rotation2Dd(turn) * Eigen::Vector2d(sign * pose.y - a.y, pose.z - a.z);
-  return {pose.x, sign * moved.x(), moved.y(), pose.angle + sign * turn};
+  return {pose.x, sign * moved.x(), moved.y(), pose.angle + sign * turn, pose.pitch};
 }
 
 core::WheelsetResult withMagnifiedDeflection(const core::WheelsetResult& result,
