@@ -16,6 +16,14 @@ struct RailDeflection
   double roll = 0;      ///< rotation of the head [rad], positive if the crown moves outward
 };
 
+/// Change of a RailDeflection in time [m/s], [rad/s], or along the track [-], [rad/m]; side axes.
+struct RailRates
+{
+  double lateral = 0;   ///< of the reference point, outward positive
+  double vertical = 0;  ///< of the reference point, up positive
+  double roll = 0;      ///< rotation of the head, positive if the crown moves outward
+};
+
 /// Adds a small displacement of the same rail head.
 inline RailDeflection& operator+=(RailDeflection& sum, const RailDeflection& added)
 {

@@ -34,8 +34,8 @@ struct LineStation
 /// rail.
 ///
 /// Between its stations, each quantity is a cubic polynomial. Its slopes at the stations are those of Fritsch and
-/// Butland (1984): the curve is smooth, passes through all values, and does not overshoot. The rails are taken as
-/// straight along x at each place: the slopes of alignment and level are not applied to wheel and rail.
+/// Butland (1984): the curve is smooth, passes through all values, and does not overshoot. The contact sees
+/// its slope and curvature along x.
 class TrackLine
 {
  public:

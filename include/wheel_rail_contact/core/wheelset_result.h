@@ -16,14 +16,6 @@
 
 namespace wheel_rail_contact::core
 {
-/// Change of a RailDeflection in time [m/s], [rad/s], or along the track [-], [rad/m]; side axes.
-struct RailRates
-{
-  double lateral = 0;   ///< of the reference point, outward positive
-  double vertical = 0;  ///< of the reference point, up positive
-  double roll = 0;      ///< rotation of the head, positive if the crown moves outward
-};
-
 /// Pose and load of a wheelset at one instant: the input of WheelsetContact::evaluate().
 ///
 /// Track frame: x forward, y left, z up; z = 0 is the plane on the tops of both undeflected rails. The axle is rolled
@@ -98,7 +90,7 @@ struct RailResult
   double lateral_force = 0;
   double vertical_force = 0;  ///< vertical force of the wheel on the rail, down positive [N]
   double moment = 0;  ///< moment of both forces about the reference point of the head, outward roll positive [N m]
-  RailRates slope;    ///< direction of the rail: change of its given displacement along the track [-], [rad/m]
+  RailRates slope;    ///< direction of the rail: change of its displacement by the line along the track [-], [rad/m]
 };
 
 /// Largest plausible contact force of a wheel: about ten times that of a freight wheel [N].

@@ -122,7 +122,7 @@ AlongShape ContactSearch::alongAt(double rail_u) const
   constexpr double steepest = 0.2;  // cosine: beside a steeper face, the shape ends within a contact
   const CurvePoint point = rail_->profile().at(rail_u);
   const PlanePoint seen = turned(rail_->place(point));
-  const AlongShape shape = rail_->along(rail_u, point);
+  const AlongShape shape = rail_->along(point);
   const double per_normal = 1 / std::max(seen.dy / std::sqrt(seen.dy * seen.dy + seen.dz * seen.dz), steepest);
   return {per_normal * shape.slope, per_normal * shape.curvature};
 }

@@ -108,7 +108,7 @@ class SurfaceGapBuilder
     column.rail_u = u;
     if (rail_.changes())
     {
-      column.along = rail_.along(u, on_profile);
+      column.along = rail_.along(on_profile);
     }
     return column;
   }

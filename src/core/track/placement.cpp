@@ -84,26 +84,9 @@ PlacedRail PlacedRail::deflected(const RailDeflection& deflection) const
   return moved;
 }
 
-AlongShape AlongTable::at(double u) const
-{
-  const double place = std::clamp(u / spacing, 0.0, static_cast<double>(shapes.size() - 1));
-  const auto before = static_cast<std::size_t>(place), after = std::min(before + 1, shapes.size() - 1);
-  const double share = place - static_cast<double>(before);
-  const AlongShape &one = shapes[before], &other = shapes[after];
-  return {one.slope + share * (other.slope - one.slope), one.curvature + share * (other.curvature - one.curvature)};
-}
-
-void PlacedRail::setAlong(std::shared_ptr<const AlongTable> sections, const RailMotion& motion)
-{
-  sections_ = std::move(sections);
-  motion_ = motion;
-  changes_ = sections_ != nullptr || !(motion == RailMotion());
-}
-
 /// A section that moves by m along its tangent shows its own curvature, and one that also turns by w, 2 m w.
-AlongShape PlacedRail::along(double u, const CurvePoint& point) const
+AlongShape PlacedRail::along(const CurvePoint& point) const
 {
-  AlongShape shape = sections_ ? sections_->at(u) : AlongShape();
   const PlanePoint place = this->place(point), head = referencePoint();
   const double per_length = 1 / std::sqrt(place.dy * place.dy + place.dz * place.dz), cosine = place.dy * per_length,
                sine = place.dz * per_length;
@@ -112,9 +95,8 @@ AlongShape PlacedRail::along(double u, const CurvePoint& point) const
   const auto vertical = [&](const RailRates& rates) { return rates.vertical - rates.roll * y; };
   const auto normal = [&](const RailRates& rates) { return cosine * vertical(rates) - sine * lateral(rates); };
   const double tangential = cosine * lateral(motion_.slope) + sine * vertical(motion_.slope);
-  shape.slope += normal(motion_.slope);
-  shape.curvature += normal(motion_.bend) + tangential * (2 * motion_.slope.roll + tangential * point.curvature());
-  return shape;
+  return {normal(motion_.slope),
+          normal(motion_.bend) + tangential * (2 * motion_.slope.roll + tangential * point.curvature())};
 }
 
 void PlacedRail::turn(double angle)

@@ -11,7 +11,6 @@
 #include "wheel_rail_contact/core/profile.h"
 #include "wheel_rail_contact/core/rail_compliance.h"
 #include "wheel_rail_contact/core/track.h"
-#include "wheel_rail_contact/core/wheelset_result.h"
 
 namespace wheel_rail_contact::core
 {
@@ -99,16 +98,6 @@ struct RailMotion
   }
 };
 
-/// Shape along the track at equidistant parameters of a profile that changes.
-struct AlongTable
-{
-  static constexpr double spacing = 1e-3;  ///< [m]
-
-  AlongShape at(double u) const;
-
-  std::vector<AlongShape> shapes;  ///< from u = 0 on
-};
-
 /// Rail in side axes: its profile is turned by the inclination, moved to gauge and displaced by the deflection.
 class PlacedRail
 {
@@ -127,16 +116,18 @@ class PlacedRail
   /// The same rail with its head displaced by `deflection` from its present position.
   PlacedRail deflected(const RailDeflection& deflection) const;
 
-  /// Sets its shape along the track: that of its sections, null for a prism, and how it is displaced.
-  void setAlong(std::shared_ptr<const AlongTable> sections, const RailMotion& motion);
   /// Sets how it is displaced along the track.
-  void setMotion(const RailMotion& motion) { setAlong(sections_, motion); }
+  void setMotion(const RailMotion& motion)
+  {
+    motion_ = motion;
+    changes_ = !(motion == RailMotion());
+  }
   /// True if it changes along the track.
   bool changes() const { return changes_; }
   /// Shape along the track, along the normal, at the parameter u [m] of the profile.
-  AlongShape along(double u) const { return changes_ ? along(u, profile_->at(u)) : AlongShape(); }
+  AlongShape along(double u) const { return changes_ ? along(profile_->at(u)) : AlongShape(); }
   /// The same at a known point of the profile.
-  AlongShape along(double u, const CurvePoint& point) const;
+  AlongShape along(const CurvePoint& point) const;
 
   /// Profile of the rail, in the profile frame.
   const Profile& profile() const { return *profile_; }
@@ -156,7 +147,6 @@ class PlacedRail
 
   std::shared_ptr<const Profile> profile_;
   RailFrame frame_;
-  std::shared_ptr<const AlongTable> sections_;
   RailMotion motion_;
   bool changes_ = false;
 };
