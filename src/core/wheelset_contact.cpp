@@ -241,6 +241,10 @@ class WheelsetContact::Calculation
              : result_.near_branch  ? "another equilibrium exists: the result depends on the states before"
              : friction_.isOpen()
                  ? "friction and the balance of the normal forces agree within 2 %, but not within the tolerance"
+             : !balance_.wheel(Side::left).isSmooth()
+                 ? "the left rail has an edge along the track: its highest place carries the wheel"
+             : !balance_.wheel(Side::right).isSmooth()
+                 ? "the right rail has an edge along the track: its highest place carries the wheel"
              : result_.above_tolerance ? "the estimated error of a wheel is above contact/tolerance"
              : is_noisy_ ? "the noise of the points of a profile leaves the highest pressure open by more than "
                            "contact/tolerance"

@@ -51,6 +51,14 @@ void SupportedRail::displace(const RailDeflection& displacement)
   offset_ = prescribed_ + toCoordinates(displacement) + compliance_ * borne_;
 }
 
+PlacedRail SupportedRail::placedAt(Eigen::Vector3d coordinates) const
+{
+  coordinates[1] += course_.rise;
+  PlacedRail rail = atRest().deflected(toDeflection(coordinates));
+  rail.setMotion(course_.motion);
+  return rail;
+}
+
 void SupportedRail::bear(const Eigen::Vector3d& forces)
 {
   borne_ = forces;

@@ -36,9 +36,9 @@ class SupportedRail
   /// Sets the displacement besides the prescribed one and that by forces.
   void displace(const RailDeflection& displacement);
 
-  /// Sets how it is displaced along the track.
-  void setMotion(const RailMotion& motion) { motion_ = motion; }
-  const RailMotion& motion() const { return motion_; }
+  /// Sets its course along the track.
+  void setCourse(const RailCourse& course) { course_ = course; }
+  const RailCourse& course() const { return course_; }
 
   /// Sets constant forces on it, besides those of under().
   void bear(const Eigen::Vector3d& forces);
@@ -55,6 +55,8 @@ class SupportedRail
   const Eigen::Matrix3d& compliance() const { return compliance_; }
   /// Forces of bear().
   const Eigen::Vector3d& borne() const { return borne_; }
+  /// The rail with these coordinates, on its course.
+  PlacedRail placedAt(Eigen::Vector3d coordinates) const;
   /// Whole displacement under forces.
   Eigen::Vector3d under(const Eigen::Vector3d& forces) const { return offset_ + compliance_ * forces; }
 
@@ -64,7 +66,7 @@ class SupportedRail
   bool bends_;
   Eigen::Vector3d prescribed_ = Eigen::Vector3d::Zero();
   RailDeflection displacement_;
-  RailMotion motion_;
+  RailCourse course_;
   Eigen::Vector3d borne_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d offset_;  ///< all three together
 };

@@ -54,12 +54,6 @@ void WheelEquilibrium::moveTo(double x)
   }
 }
 
-void WheelEquilibrium::setMotion(const RailMotion& motion)
-{
-  is_bent_ = is_bent_ || !(motion == rail_.motion());
-  rail_.setMotion(motion);
-}
-
 void WheelEquilibrium::setRail(double lateral, const RailDeflection& displaced)
 {
   const RailBendingConfig& bending = config_.rail_bending;
@@ -72,13 +66,10 @@ void WheelEquilibrium::setRail(double lateral, const RailDeflection& displaced)
 void WheelEquilibrium::place(const Eigen::Vector3d& forces)
 {
   const Eigen::Vector3d coordinates = rail_.under(forces);
-  if (!placed_ || coordinates != *placed_ || is_bent_)
+  if (!placed_ || coordinates != *placed_)
   {
-    PlacedRail rail = rail_.atRest().deflected(toDeflection(coordinates));
-    rail.setMotion(rail_.motion());
-    contact_.setRail(rail, !placed_);
+    contact_.setRail(rail_.placedAt(coordinates), !placed_);
     placed_ = coordinates;
-    is_bent_ = false;
   }
 }
 
@@ -399,7 +390,7 @@ RailResult WheelEquilibrium::rail() const
   RailResult result;
   result.deflection = toDeflection(rail_.under(forces_));
   result.given = rail_.displacement();
-  result.slope = rail_.motion().slope;
+  result.slope = rail_.course().slope;
   const Eigen::Vector3d forces = forces_ + rail_.borne();
   result.lateral_force = forces[0];
   result.vertical_force = -forces[1];

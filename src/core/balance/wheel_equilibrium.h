@@ -34,8 +34,18 @@ class WheelEquilibrium
   void reset();
   /// Moves along the line to x [m], which the sections of the rail contain.
   void moveTo(double x);
-  /// Sets how the rail is displaced along the track there.
-  void setMotion(const RailMotion& motion);
+  /// Sets the course of the rail there.
+  void setCourse(const RailCourse& course)
+  {
+    const RailCourse& before = rail_.course();
+    if (placed_ && !(course.rise == before.rise && course.motion == before.motion))
+    {
+      placed_->setConstant(NAN);  // it is to be placed again, with the same profile
+    }
+    rail_.setCourse(course);
+  }
+  /// False if an edge of the rail places the contact, see RailCourse.
+  bool isSmooth() const { return rail_.course().smooth; }
   /// Rail in the ideal track at the place of the last moveTo().
   const PlacedRail& restingRail() const { return rail_.atRest(); }
   /// Sets what else moves the rail. The start is the deflection of the last solution.
@@ -138,7 +148,6 @@ class WheelEquilibrium
   double given_lateral_ = 0;
   Eigen::Vector3d forces_ = Eigen::Vector3d::Zero();  ///< on the rail, along its coordinates
   std::optional<Eigen::Vector3d> placed_;             ///< coordinates at which the rail lies, since moveTo()
-  bool is_bent_ = false;                              ///< its motion is another one than there
   double height_ = 0, touch_slope_ = 0;
   bool loaded_ = false;
   Response response_;

@@ -201,11 +201,11 @@ WheelsetState WheelsetBalance::placeOnLine(WheelsetState state)
   {
     const Sides<PlanePoint> heads([this](Side side) { return wheel(side).restingRail().referencePoint(); });
     const Sides<RailDeflection> displaced = displacementsAt(line->at(state.distance), heads);
-    const Sides<RailMotion> motions = motionsAt(*line, state.distance, heads);
+    const Sides<RailCourse> courses = coursesAt(*line, state.distance, heads, config_.wheelset.rolling_radius);
     for (const Side side : sides)
     {
       state.rail_displacement[side] += displaced[side];
-      wheel(side).setMotion(motions[side]);
+      wheel(side).setCourse(courses[side]);
     }
   }
   return state;

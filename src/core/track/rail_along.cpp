@@ -11,6 +11,43 @@ namespace
 /// by which a slope moves it [m].
 constexpr double contact_reach = 5e-3;
 
+constexpr double farthest = 0.03;       ///< of the places at which a rail may touch the wheel [m]
+constexpr double scan_step = 2e-3;      ///< of these places [m]
+constexpr double smooth_within = 3e-6;  ///< difference of the lift of the wheel from that by the second order [m]
+
+/// Highest place of a rail for a wheel above it.
+class Highest
+{
+ public:
+  explicit Highest(double radius) : radius_(radius) {}
+
+  /// Adds the height at a place, over the rail beneath the axle [m].
+  void add(double x, double height)
+  {
+    if (const double lift = height - 0.5 * x * x / radius_; lift > lift_)
+    {
+      x_ = x;
+      lift_ = lift;
+    }
+  }
+  /// Replaces the second order by a line that lifts the wheel at this place, where both differ.
+  void placeWhereRough(RailCourse& course) const
+  {
+    const AlongShape shape{course.slope.vertical, course.motion.bend.vertical};
+    if (std::abs(AlongTouch(shape, 0, radius_).lift - lift_) > smooth_within)
+    {
+      course.smooth = false;
+      course.motion.slope.vertical = x_ / radius_;
+      course.motion.bend.vertical = 0;
+      course.rise = lift_ - 0.5 * x_ * x_ / radius_;
+    }
+  }
+
+ private:
+  double radius_;
+  double x_ = 0, lift_ = 0;  ///< without others, the place beneath the axle
+};
+
 /// Mean of two positions of a rail with the same angle; share 0: the first one.
 RailFrame between(const RailFrame& one, const RailFrame& other, double share)
 {
@@ -88,14 +125,16 @@ Sides<RailDeflection> displacementsAt(const LineStation& station, const Sides<Pl
   return displaced;
 }
 
-Sides<RailMotion> motionsAt(const TrackLine& line, double distance, const Sides<PlanePoint>& at_rest)
+Sides<RailCourse> coursesAt(const TrackLine& line, double distance, const Sides<PlanePoint>& at_rest,
+                            const Sides<double>& radius)
 {
   const double half = std::min(contact_reach, 0.5 * (line.end() - line.begin()));
   const double middle = std::clamp(distance, line.begin() + half, line.end() - half), beyond = distance - middle;
-  const auto displaced = [&](double x) { return displacementsAt(line.at(x), at_rest); };
+  const auto displaced = [&](double x)
+  { return displacementsAt(line.at(std::clamp(x, line.begin(), line.end())), at_rest); };
   const Sides<RailDeflection> before = displaced(middle - half), here = displaced(middle),
-                              after = displaced(middle + half);
-  const auto motion = [&](Side side)
+                              after = displaced(middle + half), at_place = displaced(distance);
+  const auto course = [&](Side side)
   {
     const RailDeflection &a = before[side], &b = here[side], &c = after[side];
     const auto bend = [half](double one, double mid, double other) { return (one - 2 * mid + other) / (half * half); };
@@ -103,11 +142,25 @@ Sides<RailMotion> motionsAt(const TrackLine& line, double distance, const Sides<
                           bend(a.roll, b.roll, c.roll)};
     const auto slope = [&](double one, double other, double turn)
     { return (other - one) / (2 * half) + turn * beyond; };
-    return RailMotion{{slope(a.lateral, c.lateral, bends.lateral), slope(a.vertical, c.vertical, bends.vertical),
-                       slope(a.roll, c.roll, bends.roll)},
-                      bends};
+    const RailRates slopes{slope(a.lateral, c.lateral, bends.lateral), slope(a.vertical, c.vertical, bends.vertical),
+                           slope(a.roll, c.roll, bends.roll)};
+    return RailCourse{slopes, {slopes, bends}};
   };
-  return Sides<RailMotion>(motion);
+  Sides<RailCourse> courses(course);
+  Sides<Highest> highest([&](Side side) { return Highest(radius[side]); });
+  for (double way = -farthest; way < farthest + 0.5 * scan_step; way += scan_step)
+  {
+    const Sides<RailDeflection> there = displaced(distance + way);
+    for (const Side side : sides)
+    {
+      highest[side].add(way, there[side].vertical - at_place[side].vertical);
+    }
+  }
+  for (const Side side : sides)
+  {
+    highest[side].placeWhereRough(courses[side]);
+  }
+  return courses;
 }
 
 double middleOf(const Sides<RailDeflection>& displaced)

@@ -45,8 +45,19 @@ PlacedRail railAt(const RailSections& sections, const TrackConfig& track, Side s
 /// @param at_rest  reference points of the rails in the ideal track, side axes
 Sides<RailDeflection> displacementsAt(const LineStation& station, const Sides<PlanePoint>& at_rest);
 
-/// Motion of the rail of each Side along the track at a place of a line, as seen over a contact. Side axes.
-Sides<RailMotion> motionsAt(const TrackLine& line, double distance, const Sides<PlanePoint>& at_rest);
+/// Course of a rail along the track, as a contact sees it. Side axes.
+struct RailCourse
+{
+  RailRates slope;     ///< of the rail at the place
+  RailMotion motion;   ///< its displacement about the place, to second order
+  double rise = 0;     ///< of this shape over the rail at the place [m]
+  bool smooth = true;  ///< false: the second order fails, and the shape is a line at the highest place for the wheel
+};
+
+/// Course of the rail of each Side at a place of a line.
+/// @param radius  of the wheels [m]
+Sides<RailCourse> coursesAt(const TrackLine& line, double distance, const Sides<PlanePoint>& at_rest,
+                            const Sides<double>& radius);
 
 /// Lateral position of the centre between displaced rails, left positive [m].
 double middleOf(const Sides<RailDeflection>& displaced);
