@@ -128,8 +128,11 @@ BagFile::~BagFile()
 
 void BagFile::readBagHeader()
 {
-  refuseBagIf(size_ < bag_magic.size() || bytes(0, bag_magic.size()) != bag_magic,
-              path_ + ": not a bag of version 2.0 (older versions: rosbag fix)");
+  const std::string magic = bytes(0, std::min<std::uint64_t>(size_, bag_magic.size()));
+  const bool is_ros2 = magic.find("MCAP") != std::string::npos || magic.find("SQLite") != std::string::npos;
+  refuseBagIf(magic != bag_magic,
+              path_ + (is_ros2 ? ": a recording of ROS 2; convert it to a bag of ROS 1 (rosbags-convert)"
+                               : ": not a bag of version 2.0 (older versions: rosbag fix)"));
   const Place header = recordAt(bag_magic.size());
   refuseBagIf(header.header.op() != BagOp::bag_header, path_ + ": the first record is not a bag header");
   refuseBagIf(header.header.has("encryptor") && !header.header.text("encryptor").empty(),

@@ -91,7 +91,7 @@ std::string loadDoubt(double mean, const WheelsetConfig& wheelset)
                                                    "reactions have the other sign",
                                                    1e-3 * mean)
          : mean < least_load * scale * scale
-             ? formatted("the mean wheel load is %.4g N: loads must be in N, not in kN or t", mean)
+             ? formatted("the mean wheel load is %.4g N: loads must be in N, not in kN or t", mean + 0.0)  // no -0
              : "";
 }
 

@@ -120,6 +120,10 @@ Replay::Replay(ReplayOptions options)
       description_(replayDescription(options_, parameters_, source_.fileSize())),
       warm_up_(options_.inputs.wheelsets.size())
 {
+  if (!options_.tf_static.empty())
+  {
+    source_.readStaticTransforms(options_.tf_static);
+  }
   if (!options_.csv.empty())
   {
     csv_ = std::make_unique<CsvFile>(options_.csv, options_.resume);

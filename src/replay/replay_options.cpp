@@ -130,6 +130,8 @@ po::options_description describe(ReplayOptions& options)
   add("from", time("--from", options.span.from),
       "evaluates only the inputs recorded from this time on [s]; each result is identical to that of the whole bag");
   add("to", time("--to", options.span.to), "evaluates only the inputs recorded before this time [s]");
+  add("tf-static", po::value(&options.tf_static)->value_name("FIRST.bag"),
+      "first part of a split recording: its messages on /tf_static, which later parts lack, are read before IN.bag");
   add("keep-topics", po::bool_switch(&options.keep_topics), "copies the other messages of IN.bag");
   add("no-grids", po::bool_switch()->notifier([&](bool given) { options.grids = !given; }), "omits the pressure grids");
   add("lz4", po::bool_switch()->notifier([&](bool given) { options.compression = given ? "lz4" : "none"; }),
@@ -272,6 +274,10 @@ std::string replayDescription(const ReplayOptions& options, const ParameterTree&
   for (const auto& [topic, name] : options.inputs.names)
   {
     text << optionOf(topic) << ": " << name << "\n";
+  }
+  if (!options.tf_static.empty())
+  {
+    text << "tf-static: " << options.tf_static << "\n";
   }
   for (const auto& [name, value] : parameters)
   {

@@ -41,6 +41,7 @@ struct ReplayOptions
   std::string output;                ///< bag to write
   std::vector<std::string> configs;  ///< parameter files, each applied over those before
   BagInputs inputs;                  ///< wheelsets and their topics
+  std::string tf_static;             ///< bag whose /tf_static is read first; empty: none
   std::string csv;                   ///< table of patches to write; empty: no table
   std::string compression = "none";  ///< of the output: none or lz4
   BagSpan span;                      ///< inputs that become complete in this span are evaluated

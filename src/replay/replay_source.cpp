@@ -71,6 +71,17 @@ ReplaySource::ReplaySource(const std::string& bag, const NodeConfig& config, con
   requireTypes();
 }
 
+void ReplaySource::readStaticTransforms(const std::string& bag)
+{
+  BagStream first(bag, [](const std::string& topic) { return absolute(topic) == "/tf_static"; });
+  std::uint64_t count = 0;
+  for (; const auto message = first.next(); ++count)
+  {
+    use({Role::static_transform}, *message);
+  }
+  refuseBagIf(count == 0, bag + ": has no message on /tf_static");
+}
+
 ReplaySource::Uses ReplaySource::usesOf(const NodeConfig& config, const BagInputs& inputs) const
 {
   const std::vector<InputTopic> topics = inputTopics(config);

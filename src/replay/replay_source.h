@@ -60,6 +60,9 @@ class ReplaySource
   /// The next input to evaluate, or message to copy; empty at the end.
   std::optional<ReplayItem> next();
 
+  /// Reads the topic /tf_static of another bag.
+  /// @throw BagError if it has none.
+  void readStaticTransforms(const std::string& bag);
   /// Number of messages to read.
   std::uint64_t messages() const;
   /// Size of the bag [B].

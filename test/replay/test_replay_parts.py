@@ -10,7 +10,7 @@ from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
 from wheel_rail_contact.msg import WheelsetContact
 
-from replay_case import MISUSED, ReplayCase, load, pose, time
+from replay_case import FEW_RESULTS, MISUSED, ReplayCase, load, pose, time
 
 JOIN = os.environ["CONTACT_JOIN"]
 START = 1_700_000_000 * 10**9  # recording time of the first message [ns]
@@ -135,6 +135,20 @@ class Parts(ReplayCase):
         (self.folder / "slop.yaml").write_text("sync: {slop: 0.06}\n")
         whole, _ = self.assert_parts_equal_the_whole("--config", self.folder / "slop.yaml", cuts=(7.513,))
         self.assertEqual({r.status for r in self.results(whole)}, {WheelsetContact.OK})
+
+    def test_static_transforms_of_a_first_part_are_read_before_a_later_one(self):
+        transform = TransformStamped()
+        transform.header.frame_id, transform.child_frame_id = "track", "survey"
+        transform.transform.translation.y = 1e-3
+        transform.transform.rotation.w = 1
+        self.write(seconds=1, frame="survey", tf_static=[(0, TFMessage([transform]))])
+        whole, _ = self.replay(self.bag, "whole.bag", *self.options)
+        first = self.bag.rename(self.folder / "first.bag")
+        self.write(seconds=1, frame="survey")
+        self.replay(self.bag, "alone.bag", *self.options, status=FEW_RESULTS)
+        later, _ = self.replay(self.bag, "later.bag", *self.options, "--tf-static", first)
+        self.assertEqual(self.results(later), self.results(whole))
+        self.replay(first, "none.bag", *self.options, "--tf-static", self.bag, status=1)
 
     def test_results_of_an_earlier_replay_are_kept_unchanged(self):
         wheelsets = "first", "second", "third"
