@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <tf2/buffer_core.h>
-
 #include <array>
 #include <cstdint>
 #include <deque>
@@ -110,7 +108,7 @@ class ReplaySource
   };
   struct Wheelset
   {
-    Wheelset(const NodeConfig& config, const tf2::BufferCore& transforms)
+    Wheelset(const NodeConfig& config, const TimedTransforms& transforms)
         : pairing(config), neighbours(config), preparation(config, transforms, neighbours)
     {
     }

@@ -228,6 +228,54 @@ TEST(ContactInput, PoseIsTransformedToTheTrackFrame)
   EXPECT_NE(late.second.find("'track'"), std::string::npos);
 }
 
+// The track frame moves on an arc, with a transform every 50 ms. tf interpolates on its chords.
+TEST(ContactInput, ErrorOfTheInterpolationOnACurveIsEstimated)
+{
+  constexpr double radius = 300, speed = 80, period = 0.05;
+  TimedTransforms transforms;
+  const auto on_arc = [&](double time, double outward)
+  {
+    const double angle = speed * time / radius;
+    return Eigen::Vector2d((radius - outward) * std::sin(angle), radius - (radius - outward) * std::cos(angle));
+  };
+  const auto pose_at = [&](double time)
+  {
+    geometry_msgs::PoseStamped message = pose(turned(speed * time / radius, 0, 0));
+    message.header.frame_id = "map";
+    message.header.stamp = ros::Time(10 + time);
+    message.pose.position.x = on_arc(time, 2e-3).x();
+    message.pose.position.y = on_arc(time, 2e-3).y();
+    return message;
+  };
+  NodeConfig config;
+  const NeighbourForces neighbours(config);
+  InputPreparation preparation(config, transforms, neighbours);
+  for (int i = 0; i < 10; ++i)
+  {
+    const double angle = speed * period * i / radius;
+    geometry_msgs::TransformStamped transform = vehicle(angle);
+    transform.header.frame_id = "map";
+    transform.child_frame_id = "track";
+    transform.header.stamp = ros::Time(10 + period * i);
+    transform.transform.translation.x = on_arc(period * i, 0).x();
+    transform.transform.translation.y = on_arc(period * i, 0).y();
+    transforms.note(transform, false);
+    transforms.setTransform(transform, "test");
+  }
+  for (const double time : {0.26, 0.275, 0.299})
+  {
+    const PreparedInput prepared = preparation.prepare(input(pose_at(time)));
+    const double error = std::abs(prepared.state.y - 2e-3);
+    const auto& point = pose_at(time).pose.position;
+    // Within 1 %: the arc is not a parabola.
+    EXPECT_NEAR(transforms.interpolationError("track", "map", prepared.stamp, point), error, 0.01 * error) << time;
+    EXPECT_EQ(prepared.reason.empty(), error < 1e-4) << prepared.reason;
+  }
+  EXPECT_EQ(preparation.prepare(input(pose_at(0.3))).reason, "") << "at the stamp of a transform";
+  EXPECT_EQ(preparation.prepare(input(pose_at(0.275))).reason,
+            "tf is slower than the poses: its interpolation is estimated to be 6.7 mm off");
+}
+
 TEST(ContactInput, UnknownAndInvalidFramesGiveNoTransform)
 {
   for (const std::string& frame :

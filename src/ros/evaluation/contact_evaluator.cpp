@@ -53,7 +53,7 @@ ContactOutput ContactEvaluator::evaluate(const PreparedInput& input)
   }
   const core::WheelsetResult& result = contact_.evaluate(input.state);
   output.status = toMessage(result.status);
-  output.reason = sentences(result.reason, input.resets ? warnings_ : "");
+  output.reason = sentences(result.reason, sentences(input.reason, input.resets ? warnings_ : ""));
   output.state = input.state;
   output.lacks_neighbour = input.lacks_neighbour;
   if (output.lacks_neighbour)

@@ -12,6 +12,7 @@ namespace wheel_rail_contact
 namespace
 {
 constexpr double quaternion_tolerance = 1e-3;
+constexpr double largest_tf_error = 1e-4;  ///< estimated error of the interpolation without a warning [m]
 
 [[noreturn]] void refuse(const std::string& reason)
 {
@@ -249,6 +250,15 @@ PreparedInput InputPreparation::prepare(const ContactInput& input)
   try
   {
     prepared.state = toState(input, track_frame_, transforms_);
+    const std::string& frame = input.pose->header.frame_id;
+    const double error = frame == track_frame_ ? 0
+                                               : transforms_.interpolationError(track_frame_, frame, prepared.stamp,
+                                                                                input.pose->pose.position);
+    if (error > largest_tf_error)
+    {
+      prepared.reason =
+          formatted("tf is slower than the poses: its interpolation is estimated to be %.2g mm off", 1e3 * error);
+    }
   }
   catch (const UnusableInput& error)
   {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <tf2/buffer_core.h>
-
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -11,6 +9,7 @@
 #include "config/node_config.h"
 #include "ros/evaluation/input_pairing.h"
 #include "ros/evaluation/neighbour_forces.h"
+#include "ros/evaluation/timed_transforms.h"
 #include "wheel_rail_contact/core/wheelset_contact.h"
 
 namespace wheel_rail_contact
@@ -62,7 +61,7 @@ struct PreparedInput
   ros::Time stamp;                            ///< of the pose
   core::WheelsetState state;                  ///< valid only with status OK
   std::uint8_t status = WheelsetContact::OK;  ///< OK, INVALID_INPUT or NO_TRANSFORM
-  std::string reason;                         ///< empty with status OK
+  std::string reason;                         ///< with status OK a warning, or empty
   bool resets = true;                         ///< warm-start reset before this input (ResetRule)
   bool lacks_neighbour = false;               ///< the forces of a neighbour are unknown and taken as zero
 };
@@ -107,7 +106,7 @@ class InputPreparation
 
   /// Keeps no reference to `config`.
   /// @param transforms,neighbours must outlive the preparation
-  InputPreparation(const NodeConfig& config, const tf2::BufferCore& transforms, const NeighbourForces& neighbours)
+  InputPreparation(const NodeConfig& config, const TimedTransforms& transforms, const NeighbourForces& neighbours)
       : track_frame_(config.track_frame), transforms_(transforms), neighbours_(neighbours)
   {
   }
@@ -121,7 +120,7 @@ class InputPreparation
 
  private:
   std::string track_frame_;
-  const tf2::BufferCore& transforms_;
+  const TimedTransforms& transforms_;
   const NeighbourForces& neighbours_;
   ResetRule reset_rule_;
 };

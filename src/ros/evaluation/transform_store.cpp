@@ -69,6 +69,7 @@ void TransformStore::insert(const geometry_msgs::TransformStamped& transform, bo
 {
   try
   {
+    buffer_.note(transform, is_static);
     buffer_.setTransform(transform, "wheel_rail_contact", is_static);
   }
   catch (const std::exception& error)  // of tf2 and of ros::Time

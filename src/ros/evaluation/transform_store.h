@@ -2,13 +2,14 @@
 #pragma once
 
 #include <geometry_msgs/TransformStamped.h>
-#include <tf2/buffer_core.h>
 
 #include <cstdint>
 #include <map>
 #include <mutex>
 #include <optional>
 #include <string>
+
+#include "ros/evaluation/timed_transforms.h"
 
 namespace wheel_rail_contact
 {
@@ -28,7 +29,7 @@ class TransformStore
   /// Number of refused transforms, and the first one with the reason; empty if there are none.
   std::string refused() const;
   /// The transforms.
-  const tf2::BufferCore& buffer() const { return buffer_; }
+  const TimedTransforms& buffer() const { return buffer_; }
 
  private:
   struct Frame
@@ -41,7 +42,7 @@ class TransformStore
   void insert(const geometry_msgs::TransformStamped& transform, bool is_static);
   void refuse(const geometry_msgs::TransformStamped& transform, const std::string& reason);
 
-  tf2::BufferCore buffer_;
+  TimedTransforms buffer_;
   mutable std::mutex mutex_;             ///< guards the following
   std::map<std::string, Frame> frames_;  ///< by child frame
   std::uint64_t refused_ = 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/node/contact_server.h"
 
+#include <tf2_msgs/TFMessage.h>
+
 #include <exception>
 #include <iostream>
 

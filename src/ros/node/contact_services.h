@@ -3,7 +3,6 @@
 
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
-#include <tf2/buffer_core.h>
 
 #include <atomic>
 #include <cstdint>
@@ -32,7 +31,7 @@ class ContactServices
  public:
   /// Advertises the services.
   /// @param transforms,neighbours must outlive the services
-  ContactServices(const ros::NodeHandle& private_nh, const NodeConfig& config, const tf2::BufferCore& transforms,
+  ContactServices(const ros::NodeHandle& private_nh, const NodeConfig& config, const TimedTransforms& transforms,
                   const NeighbourForces& neighbours);
   /// Ends after the current request.
   ~ContactServices();
@@ -55,7 +54,7 @@ class ContactServices
   void advertise(Service& service, const std::string& name, ros::NodeHandle& own);
   bool evaluate(Service& service, const EvaluateWheelset::Request& request, EvaluateWheelset::Response& response);
 
-  const tf2::BufferCore& transforms_;
+  const TimedTransforms& transforms_;
   const NeighbourForces& neighbours_;
   ros::CallbackQueue queue_;
   Service evaluate_, static_start_;

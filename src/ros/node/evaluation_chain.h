@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <tf2/buffer_core.h>
-
 #include <functional>
 
 #include "ros/evaluation/contact_evaluator.h"
@@ -19,7 +17,7 @@ class EvaluationChain
  public:
   /// Keeps no reference to `config`.
   /// @param transforms,neighbours must outlive the chain
-  EvaluationChain(const NodeConfig& config, const tf2::BufferCore& transforms, const NeighbourForces& neighbours);
+  EvaluationChain(const NodeConfig& config, const TimedTransforms& transforms, const NeighbourForces& neighbours);
 
   /// Waits until tf has the transform of the input, or until InputPreparation::transform_timeout after its arrival, and
   /// evaluates it. Because the deadline counts from the arrival, a transform that never arrives delays the results but
