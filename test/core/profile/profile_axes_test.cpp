@@ -94,6 +94,8 @@ TEST_F(OriginTest, OfASectionIsNotMoved)
 TEST_F(OriginTest, OfAWheelIsItsRunningCircle)
 {
   EXPECT_TRUE(contains(refusal(moved(wheel_, 0.070, 0), ProfileKind::wheel), "give origin: flange_back"));
+  EXPECT_TRUE(
+      contains(refusal(moved(wheel_, 0.75, 0), ProfileKind::wheel), "give shift: {y: -0.75}, half the distance"));
   const DescribedProfile described = read(moved(wheel_, 0.070, 0.012), ProfileKind::wheel, with(Origin::flange_back));
   EXPECT_LT(deviation(described.profile, wheel_), of_top) << "the height follows from the running circle";
   EXPECT_TRUE(contains(refusal(moved(wheel_, 0, 0.012), ProfileKind::wheel), "a shift of z moves it"));

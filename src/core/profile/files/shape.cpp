@@ -26,6 +26,7 @@ constexpr double highest_tread = 0.012, nearest_rim = 0.045;
 constexpr double least_back_rise = 0.003;
 /// y of a flange tip above which y counts from the flange back rather than from the running circle [m].
 constexpr double farthest_tip = -0.020;
+constexpr double nearest_axle_centre = 0.1;  ///< a tip farther outward is not measured from the flange back [m]
 /// Range of y of the front of a flange, at the least depth of the flange below the running circle [m]. New and worn
 /// flanges of main lines and trams are within -0.053 to -0.032.
 constexpr double first_front = -0.055, last_front = -0.030;
@@ -173,9 +174,12 @@ void checkFlange(const TextFile& file, const Points& points)
   file.refuseIf(place > 0.6, 0,
                 "lowest point is on the field side: not a wheel with its flange on the gauge side, or an axis is "
                 "reversed");
-  file.refuseIf(place <= 0.4 && box.lowest.y > farthest_tip, 0,
-                "flange tip is at y = " + millimetres(box.lowest.y) +
-                    ": the origin is not the running circle; if it is the flange back, give origin: flange_back");
+  file.refuseIf(
+      place <= 0.4 && box.lowest.y > farthest_tip, 0,
+      "flange tip is at y = " + millimetres(box.lowest.y) +
+          (box.lowest.y > nearest_axle_centre
+               ? ": y is from the axle centre; give shift: {y: -0.75}, half the distance of the running circles"
+               : ": the origin is not the running circle; if it is the flange back, give origin: flange_back"));
   file.refuseIf(flangeOnFieldSide(points), 0, "flange is on the field side: y is reversed");
   file.refuseIf(flangePointsUp(points), 0, "a flange points up on the field side: both axes are reversed");
   file.refuseIf(points.back().z - box.lowest.z < least_flange_height || place > 0.4, 0,
