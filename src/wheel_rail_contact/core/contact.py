@@ -49,7 +49,7 @@ class WheelsetContact:
         torque_x: moment on the axle centre about x [N m]; a positive moment unloads the left wheel. Not used if height and
             roll are given. With creep/method, force_z and torque_x do not contain the friction of the contacts
         z: height of the axle centre [m]. Required if height and roll are given (wheelset/free: []), else not used
-        roll: rotation of the axle about x, positive if the left wheel is raised [rad]. Not used if it is solved
+        roll: rotation of the axle about x, positive if the left wheel is raised [rad], at most 0.2. Not used if it is solved
         x: position of the axle centre along the track, copied to the result [m]
         distance: place on the line, and on rails with sections [m]; default: x. Required with track/distance: topic, refused
             without this, a line or sections
