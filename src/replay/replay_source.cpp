@@ -42,10 +42,7 @@ std::string absolute(const std::string& topic)
 std::set<std::string> resultTopics(const std::vector<std::string>& wheelsets)
 {
   std::set<std::string> topics;
-  for (const std::string& wheelset : wheelsets)
-  {
-    topics.insert(resultTopic(wheelset));
-  }
+  std::transform(wheelsets.begin(), wheelsets.end(), std::inserter(topics, topics.end()), resultTopic);
   return topics;
 }
 }  // namespace
@@ -65,7 +62,7 @@ ReplaySource::ReplaySource(const std::string& bag, const NodeConfig& config, con
 {
   for (std::size_t i = 0; i < inputs.wheelsets.size(); ++i)
   {
-    wheelsets_.emplace_back(config, transforms_.buffer());
+    wheelsets_.emplace_back(config, transforms_);
   }
   requireTopics();
   requireTypes();
@@ -132,8 +129,8 @@ std::string ReplaySource::reasonOfMissing(const std::string& topic, const Use& u
       topics.append(" ").append(connection.topic);
     }
   }
-  std::string reason = "the bag has no topic " + topic + "; its topics of type " + type + ":";
-  reason += topics.empty() ? " none" : topics;
+  const std::string reason =
+      "the bag has no topic " + topic + "; its topics of type " + type + ":" + (topics.empty() ? " none" : topics);
   return use.role == Role::input && !topics.empty() ? reason + "; " + optionOf(use.topic) + " names another topic"
                                                     : reason;
 }
@@ -252,13 +249,12 @@ void ReplaySource::take(const BagMessage& message)
   release(true);
   if (keep_ && in_span_)
   {
-    ReplayItem item;
+    ReplayItem& item = items_.emplace_back();
     item.time = now_;
     item.connection_id = message.connection_id;
     item.connection = message.connection;
     item.data = message.data;
     item.read = read_;
-    items_.push_back(std::move(item));
   }
   const auto [first, last] = uses_.equal_range(absolute(message.connection->topic));
   try
@@ -319,7 +315,7 @@ void ReplaySource::release(bool only_overdue)
 void ReplaySource::emit(std::size_t wheelset)
 {
   Wheelset& own = wheelsets_[wheelset];
-  ReplayItem item;
+  ReplayItem& item = items_.emplace_back();
   item.time = now_;
   item.wheelset = wheelset;
   item.input = own.preparation.prepare(own.waiting.front().input);
@@ -330,7 +326,6 @@ void ReplaySource::emit(std::size_t wheelset)
   own.lacking_neighbour += in_span_ && is_evaluated && item.input.lacks_neighbour ? 1U : 0U;
   observe(own, item.input.stamp);
   own.waiting.pop_front();
-  items_.push_back(std::move(item));
 }
 
 /// Begins the span when it is reached: messages dropped from now on are counted.

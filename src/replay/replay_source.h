@@ -108,7 +108,7 @@ class ReplaySource
   };
   struct Wheelset
   {
-    Wheelset(const NodeConfig& config, const TimedTransforms& transforms)
+    Wheelset(const NodeConfig& config, const TransformStore& transforms)
         : pairing(config), neighbours(config), preparation(config, transforms, neighbours)
     {
     }

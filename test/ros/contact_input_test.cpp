@@ -232,7 +232,7 @@ TEST(ContactInput, PoseIsTransformedToTheTrackFrame)
 TEST(ContactInput, ErrorOfTheInterpolationOnACurveIsEstimated)
 {
   constexpr double radius = 300, speed = 80, period = 0.05;
-  TimedTransforms transforms;
+  TransformStore transforms;
   const auto on_arc = [&](double time, double outward)
   {
     const double angle = speed * time / radius;
@@ -259,8 +259,7 @@ TEST(ContactInput, ErrorOfTheInterpolationOnACurveIsEstimated)
     transform.header.stamp = ros::Time(10 + period * i);
     transform.transform.translation.x = on_arc(period * i, 0).x();
     transform.transform.translation.y = on_arc(period * i, 0).y();
-    transforms.note(transform, false);
-    transforms.setTransform(transform, "test");
+    transforms.add(transform, false);
   }
   for (const double time : {0.26, 0.275, 0.299})
   {

@@ -286,7 +286,7 @@ TEST_F(LoadInterpolation, LoadsInDifferentFramesAreRefusedByName)
   addPose(10.01);
   const auto inputs = addLoad(load(10.02, 1, "axle"));
   ASSERT_EQ(inputs.size(), 1U);
-  const TimedTransforms transforms;
+  const TransformStore transforms;
   const NeighbourForces neighbours(config());
   const PreparedInput prepared = InputPreparation(config(), transforms, neighbours).prepare(inputs[0]);
   EXPECT_EQ(prepared.status, WheelsetContact::INVALID_INPUT);

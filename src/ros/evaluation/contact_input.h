@@ -9,7 +9,7 @@
 #include "config/node_config.h"
 #include "ros/evaluation/input_pairing.h"
 #include "ros/evaluation/neighbour_forces.h"
-#include "ros/evaluation/timed_transforms.h"
+#include "ros/evaluation/transform_store.h"
 #include "wheel_rail_contact/core/wheelset_contact.h"
 
 namespace wheel_rail_contact
@@ -106,7 +106,7 @@ class InputPreparation
 
   /// Keeps no reference to `config`.
   /// @param transforms,neighbours must outlive the preparation
-  InputPreparation(const NodeConfig& config, const TimedTransforms& transforms, const NeighbourForces& neighbours)
+  InputPreparation(const NodeConfig& config, const TransformStore& transforms, const NeighbourForces& neighbours)
       : track_frame_(config.track_frame), transforms_(transforms), neighbours_(neighbours)
   {
   }
@@ -120,7 +120,7 @@ class InputPreparation
 
  private:
   std::string track_frame_;
-  const TimedTransforms& transforms_;
+  const TransformStore& transforms_;
   const NeighbourForces& neighbours_;
   ResetRule reset_rule_;
 };

@@ -28,8 +28,8 @@ ContactServer::ContactServer(const ros::NodeHandle& nh, const ros::NodeHandle& p
       pairing_(config_),
       inputs_(input_capacity),
       neighbours_(config_),
-      chain_(config_, transforms_.buffer(), neighbours_),
-      services_(private_nh_, config_, transforms_.buffer(), neighbours_),
+      chain_(config_, transforms_, neighbours_),
+      services_(private_nh_, config_, transforms_, neighbours_),
       pressure_scale_(config_.markers.max_pressure),
       diagnostics_(nh_, private_nh_, private_nh_.getNamespace())
 {

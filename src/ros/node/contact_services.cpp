@@ -42,7 +42,7 @@ ContactInput inputOf(const EvaluateWheelset::Request& request, const NodeConfig&
 }  // namespace
 
 ContactServices::ContactServices(const ros::NodeHandle& private_nh, const NodeConfig& config,
-                                 const TimedTransforms& transforms, const NeighbourForces& neighbours)
+                                 const TransformStore& transforms, const NeighbourForces& neighbours)
     : transforms_(transforms),
       neighbours_(neighbours),
       evaluate_{config, &ServiceCounts::evaluate, false, {}, {}},

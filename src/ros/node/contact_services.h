@@ -31,7 +31,7 @@ class ContactServices
  public:
   /// Advertises the services.
   /// @param transforms,neighbours must outlive the services
-  ContactServices(const ros::NodeHandle& private_nh, const NodeConfig& config, const TimedTransforms& transforms,
+  ContactServices(const ros::NodeHandle& private_nh, const NodeConfig& config, const TransformStore& transforms,
                   const NeighbourForces& neighbours);
   /// Ends after the current request.
   ~ContactServices();
@@ -54,7 +54,7 @@ class ContactServices
   void advertise(Service& service, const std::string& name, ros::NodeHandle& own);
   bool evaluate(Service& service, const EvaluateWheelset::Request& request, EvaluateWheelset::Response& response);
 
-  const TimedTransforms& transforms_;
+  const TransformStore& transforms_;
   const NeighbourForces& neighbours_;
   ros::CallbackQueue queue_;
   Service evaluate_, static_start_;

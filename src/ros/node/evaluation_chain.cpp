@@ -5,7 +5,7 @@ namespace wheel_rail_contact
 {
 constexpr double poll_period = 0.002;  ///< [s]
 
-EvaluationChain::EvaluationChain(const NodeConfig& config, const TimedTransforms& transforms,
+EvaluationChain::EvaluationChain(const NodeConfig& config, const TransformStore& transforms,
                                  const NeighbourForces& neighbours)
     : preparation_(config, transforms, neighbours), evaluator_(config), hold_(config)
 {

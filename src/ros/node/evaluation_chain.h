@@ -17,7 +17,7 @@ class EvaluationChain
  public:
   /// Keeps no reference to `config`.
   /// @param transforms,neighbours must outlive the chain
-  EvaluationChain(const NodeConfig& config, const TimedTransforms& transforms, const NeighbourForces& neighbours);
+  EvaluationChain(const NodeConfig& config, const TransformStore& transforms, const NeighbourForces& neighbours);
 
   /// Waits until tf has the transform of the input, or until InputPreparation::transform_timeout after its arrival, and
   /// evaluates it. Because the deadline counts from the arrival, a transform that never arrives delays the results but
