@@ -160,10 +160,7 @@ class Scan
       in_chunk_ = true;
       return record.end();
     }
-    if (record.header.text("compression") != "none")
-    {
-      throw BagError("an unfinished compressed chunk");
-    }
+    refuseBagIf(record.header.text("compression") != "none", "an unfinished compressed chunk");
     return takeLoose(record.data);
   }
 
@@ -318,10 +315,7 @@ std::string chunkRecords(const BagFile& file, const BagChunk& chunk)
     return wholeRecords(file.bytes(chunk.position, std::min(chunk.loose_end - chunk.position, largest_record)));
   }
   const BagFile::Place record = file.recordAt(chunk.position);
-  if (record.header.op() != BagOp::chunk)
-  {
-    throw BagError("there is no chunk at byte " + std::to_string(chunk.position));
-  }
+  refuseBagIf(record.header.op() != BagOp::chunk, "there is no chunk at byte ", chunk.position);
   return decompressed(record.header.text("compression"), file.dataOf(record),
                       record.header.number<std::uint32_t>("size"));
 }
@@ -329,14 +323,10 @@ std::string chunkRecords(const BagFile& file, const BagChunk& chunk)
 void addConnection(const BagFields& record_header, std::string_view data, BagContents& contents)
 {
   const auto number = record_header.number<std::uint32_t>("conn");
-  if (contents.connections.count(number) > 0)
+  if (contents.connections.count(number) == 0)
   {
-    return;
+    refuseBagIf(contents.connections.size() == most_connections, "more than ", most_connections, " connections");
+    contents.connections[number] = {record_header.text("topic"), BagFields(data)};
   }
-  if (contents.connections.size() == most_connections)
-  {
-    throw BagError("more than " + std::to_string(most_connections) + " connections");
-  }
-  contents.connections[number] = {record_header.text("topic"), BagFields(data)};
 }
 }  // namespace wheel_rail_contact

@@ -53,10 +53,7 @@ BagFields::BagFields(std::string_view bytes)
 const std::string& BagFields::text(const std::string& name) const
 {
   const auto found = fields_.find(name);
-  if (found == fields_.end())
-  {
-    throw BagError("a header has no field '" + name + "'");
-  }
+  refuseBagIf(found == fields_.end(), "a header has no field '", name, "'");
   return found->second;
 }
 
@@ -104,10 +101,8 @@ BagFile::BagFile(const std::string& path)
     : path_(path), descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK))
 {
   struct stat status = {};
-  if (descriptor_ < 0 || fstat(descriptor_, &status) != 0)
-  {
-    throw BagError(path + ": " + std::generic_category().message(errno));
-  }
+  const bool is_open = descriptor_ >= 0 && fstat(descriptor_, &status) == 0;
+  refuseBagIf(!is_open, path, ": ", std::generic_category().message(errno));
   size_ = static_cast<std::uint64_t>(status.st_size);
   try
   {
@@ -143,14 +138,8 @@ void BagFile::readBagHeader()
 
 std::string BagFile::bytes(std::uint64_t position, std::uint64_t length) const
 {
-  if (position > size_ || length > size_ - position)
-  {
-    throw BagError(path_ + ": the file ends within a record");
-  }
-  if (length > largest_record)
-  {
-    throw BagError(path_ + ": " + std::to_string(length >> 20U) + " MiB in one record, more than 256 MiB");
-  }
+  refuseBagIf(position > size_ || length > size_ - position, path_, ": the file ends within a record");
+  refuseBagIf(length > largest_record, path_, ": ", length >> 20U, " MiB in one record, more than 256 MiB");
   std::string result(length, '\0');
   std::uint64_t done = 0;
   while (done < length)
@@ -173,10 +162,7 @@ std::string BagFile::bytes(std::uint64_t position, std::uint64_t length) const
 BagFile::Place BagFile::recordAt(std::uint64_t position) const
 {
   const auto header_length = numberAt<std::uint32_t>(bytes(position, sizeof(std::uint32_t)));
-  if (header_length > longest_header)
-  {
-    throw BagError(path_ + ": no valid record at byte " + std::to_string(position));
-  }
+  refuseBagIf(header_length > longest_header, path_, ": no valid record at byte ", position);
   const std::string header = bytes(position + sizeof(std::uint32_t), header_length + sizeof(std::uint32_t));
   Place place;
   place.header = BagFields(std::string_view(header).substr(0, header_length));

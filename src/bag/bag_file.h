@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 #include <map>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -17,12 +18,15 @@ class BagError : public std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
-/// @throw BagError with this reason if there is a fault.
-inline void refuseBagIf(bool fault, std::string_view reason)
+/// @throw BagError if there is a fault. Only then are the parts of the reason joined.
+template <typename... Parts>
+void refuseBagIf(bool fault, const Parts&... parts)
 {
   if (fault)
   {
-    throw BagError(std::string(reason));
+    std::ostringstream reason;
+    (reason << ... << parts);
+    throw BagError(reason.str());
   }
 }
 
@@ -202,8 +206,6 @@ class BagFile
 
   std::string path_;
   int descriptor_;
-  std::uint64_t size_ = 0;
-  std::uint64_t first_record_ = 0;
-  std::uint64_t index_section_ = 0;
+  std::uint64_t size_ = 0, first_record_ = 0, index_section_ = 0;
 };
 }  // namespace wheel_rail_contact

@@ -85,10 +85,8 @@ void BagStream::open(const BagChunk& chunk)
   {
     bytes += other->records.size();
   }
-  if (open_.size() > 1 && bytes > most_open_bytes)
-  {
-    throw BagError(file_.path() + ": more than 128 MiB of chunks overlap in time; sort the bag first (rosbag filter)");
-  }
+  refuseBagIf(open_.size() > 1 && bytes > most_open_bytes,
+              file_.path() + ": more than 128 MiB of chunks overlap in time; sort the bag first (rosbag filter)");
 }
 
 /// Lists the wanted messages of a chunk in their order in the chunk. Messages before a damaged record are kept.

@@ -120,10 +120,7 @@ RailPartFiles readPart(ParameterReader& reader, const std::string& group, const 
   {
     reader.require(slices, "give slices, sections or file");
   }
-  if (*given != *other)
-  {
-    reader.refuse(*other, "omitted: of slices, sections and file, only one may be given");
-  }
+  reader.refuseIf(*given != *other, *other, "omitted: of slices, sections and file, only one may be given");
   if (reader.has(file))
   {
     part.sections.push_back({0, only});

@@ -62,10 +62,7 @@ void readWheelset(ParameterReader& reader, core::WheelsetConfig& wheelset)
   reader.read("wheelset/free", free);
   std::sort(free.begin(), free.end());
   wheelset.solve_height_and_roll = !free.empty();
-  if (!free.empty() && free != std::vector<std::string>{"roll", "z"})
-  {
-    reader.refuse("wheelset/free", "[z, roll] or []");
-  }
+  reader.refuseIf(!free.empty() && free != std::vector<std::string>{"roll", "z"}, "wheelset/free", "[z, roll] or []");
   using Balance = core::WheelsetConfig::Balance;
   reader.read("wheelset/balance", {{"wheel_loads", Balance::wheel_loads}, {"moments", Balance::moments}},
               wheelset.balance);
@@ -245,10 +242,8 @@ NodeConfig readNodeConfig(const ParameterTree& tree, const std::string& prefix, 
   {
     openFiles(files, search, config);
     validate(config.model);
-    for (const std::string& remark : checkFit(config.model))
-    {
-      config.warnings.push_back(remark);
-    }
+    const std::vector<std::string> remarks = checkFit(config.model);
+    config.warnings.insert(config.warnings.end(), remarks.begin(), remarks.end());
   }
   catch (const std::invalid_argument& error)
   {

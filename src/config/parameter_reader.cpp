@@ -64,14 +64,12 @@ const std::string& ParameterReader::scalar(const std::string& name, const YAML::
 
 void ParameterReader::read(const std::string& name, const NumberRule& rule, double& value)
 {
-  const YAML::Node* node = find(name);
-  if (!node)
+  if (const YAML::Node* node = find(name))
   {
-    return;
+    const auto number = parseNumber(scalar(name, *node, rule.text));
+    refuseIf(!number || !rule.holds(*number), name, rule.text);
+    value = *number;
   }
-  const auto number = parseNumber(scalar(name, *node, rule.text));
-  refuseIf(!number || !rule.holds(*number), name, rule.text);
-  value = *number;
 }
 
 void ParameterReader::read(const std::string& name, const NumberRule& rule, int& value)
@@ -104,16 +102,14 @@ void ParameterReader::read(const std::string& name, std::string& value)
 
 void ParameterReader::read(const std::string& name, std::vector<std::string>& words)
 {
-  const YAML::Node* node = find(name);
-  if (!node)
+  if (const YAML::Node* node = find(name))
   {
-    return;
-  }
-  refuseIf(!node->IsSequence(), name, "a list of strings");
-  words.clear();
-  for (const auto& entry : *node)
-  {
-    words.push_back(scalar(name, entry, "a list of strings"));
+    refuseIf(!node->IsSequence(), name, "a list of strings");
+    words.clear();
+    for (const auto& entry : *node)
+    {
+      words.push_back(scalar(name, entry, "a list of strings"));
+    }
   }
 }
 

@@ -3,18 +3,9 @@
 
 #include <cmath>
 #include <sstream>
-#include <stdexcept>
 
 namespace wheel_rail_contact::core
 {
-void refuseIf(bool fault, std::string_view reason)
-{
-  if (fault)
-  {
-    throw std::invalid_argument(std::string(reason));
-  }
-}
-
 void require(bool rule, const std::string& option, double value, const char* text)
 {
   if (!rule)

@@ -1,15 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <sstream>
+#include <stdexcept>
 #include <string>
-#include <string_view>
 
 #include "wheel_rail_contact/core/sides.h"
 
 namespace wheel_rail_contact::core
 {
-/// @throw std::invalid_argument with this reason if there is a fault.
-void refuseIf(bool fault, std::string_view reason);
+/// @throw Error if there is a fault. Only then are the parts of the reason joined.
+template <typename Error = std::invalid_argument, typename... Parts>
+void refuseIf(bool fault, const Parts&... parts)
+{
+  if (fault)
+  {
+    std::ostringstream reason;
+    (reason << ... << parts);
+    throw Error(reason.str());
+  }
+}
 /// @throw std::invalid_argument "option = value text" unless `rule` is true.
 void require(bool rule, const std::string& option, double value, const char* text);
 /// Same unless `value` is finite and above zero.

@@ -18,6 +18,7 @@
 #include "core/normal/estimate/islands.h"
 #include "core/normal/solvers/conjugate_gradients.h"
 #include "core/normal/solvers/seidel.h"
+#include "core/option_check.h"
 #include "core/stress/stress_search.h"
 #include "core/track/gap.h"
 #include "python/bindings.h"
@@ -120,10 +121,7 @@ class OneWheel
   double touch(double y, double roll)
   {
     pose_ = {y, config_.wheelset.rolling_radius.left, 0, roll};
-    if (!isUsable(contact_.touch(pose_)))
-    {
-      throw std::invalid_argument("y = " + std::to_string(y) + " m: the wheel is beside the rail");
-    }
+    core::refuseIf(!isUsable(contact_.touch(pose_)), "y = " + std::to_string(y) + " m: the wheel is beside the rail");
     pose_.z = contact_.height();
     return contact_.grids().touch().rail_u;
   }

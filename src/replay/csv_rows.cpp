@@ -6,11 +6,11 @@
 #include <cinttypes>
 #include <cmath>
 #include <filesystem>
-#include <stdexcept>
 #include <system_error>
 
 #include "config/result_fields.h"
 #include "config/text.h"
+#include "core/option_check.h"
 #include "ros/evaluation/contact_statistics.h"
 
 namespace wheel_rail_contact
@@ -172,11 +172,9 @@ std::string csvRows(const WheelsetContact& result, std::uint64_t number, const s
 
 void CsvFile::requireUsablePath(const std::string& path, bool resume)
 {
-  if (std::filesystem::exists(path) != resume)
-  {
-    throw std::runtime_error(path + (resume ? ": does not exist; --resume requires the table of the first run"
-                                            : ": already exists and is not overwritten"));
-  }
+  core::refuseIf<std::runtime_error>(std::filesystem::exists(path) != resume,
+                                     path + (resume ? ": does not exist; --resume requires the table of the first run"
+                                                    : ": already exists and is not overwritten"));
 }
 
 CsvFile::CsvFile(const std::string& path, bool resume) : path_(path), truncation_pending_(resume)
@@ -192,40 +190,32 @@ CsvFile::CsvFile(const std::string& path, bool resume) : path_(path), truncation
 
 void CsvFile::write(std::uint64_t number, const std::string& rows)
 {
-  if (truncation_pending_)
-  {
-    truncate(number);
-  }
+  truncate(number);
   file_ << rows;
 }
 
 void CsvFile::flush()
 {
-  if (!truncation_pending_ && !file_.flush())
-  {
-    throw std::runtime_error(path_ + ": cannot be written");
-  }
+  core::refuseIf<std::runtime_error>(!truncation_pending_ && !file_.flush(), path_ + ": cannot be written");
 }
 
 void CsvFile::finish(std::uint64_t results)
 {
-  if (truncation_pending_)
-  {
-    truncate(results);
-  }
+  truncate(results);
   flush();
 }
 
-/// Removes the rows of result `number` and of all later results. Opens the file for appending.
+/// When resuming, once: removes the rows of result `number` and of all later results, and opens the file for appending.
 void CsvFile::truncate(std::uint64_t number)
 {
+  if (!truncation_pending_)
+  {
+    return;
+  }
   std::ifstream before(path_);
   std::string line;
   std::getline(before, line);
-  if (line + "\n" != header())
-  {
-    throw std::runtime_error(path_ + ": is not a table written by contact_replay");
-  }
+  core::refuseIf<std::runtime_error>(line + "\n" != header(), path_ + ": is not a table written by contact_replay");
   std::uint64_t length = line.size() + 1;
   std::uint64_t results = 0;
   while (std::getline(before, line) && !before.eof())
@@ -238,10 +228,7 @@ void CsvFile::truncate(std::uint64_t number)
     length += line.size() + 1;
     results = result + 1;
   }
-  if (results != number)
-  {
-    throw std::runtime_error(path_ + ": rows of results that are in the bag are missing");
-  }
+  core::refuseIf<std::runtime_error>(results != number, path_ + ": rows of results that are in the bag are missing");
   std::filesystem::resize_file(path_, length);
   file_.open(path_, std::ios::app);
   truncation_pending_ = false;
@@ -250,10 +237,8 @@ void CsvFile::truncate(std::uint64_t number)
 std::uint64_t CsvFile::resultOf(const std::string& row) const
 {
   std::uint64_t number = 0;
-  if (std::from_chars(row.data(), row.data() + row.size(), number).ec != std::errc())
-  {
-    throw std::runtime_error(path_ + ": a row does not begin with the number of a result: " + row);
-  }
+  core::refuseIf<std::runtime_error>(std::from_chars(row.data(), row.data() + row.size(), number).ec != std::errc(),
+                                     path_ + ": a row does not begin with the number of a result: " + row);
   return number;
 }
 }  // namespace wheel_rail_contact

@@ -98,10 +98,8 @@ ReplayOptions withCheckedOutputs(ReplayOptions options)
   { return std::filesystem::weakly_canonical("./" / std::filesystem::path(path)); };
   core::refuseIf(place(options.csv) == place(options.output), "--csv: is the bag of the results");
   const bool exists = std::filesystem::exists(options.output);
-  if (exists && !options.resume)
-  {
-    throw std::runtime_error(options.output + ": already exists and is not overwritten (--resume continues it)");
-  }
+  core::refuseIf<std::runtime_error>(
+      exists && !options.resume, options.output + ": already exists and is not overwritten (--resume continues it)");
   options.resume = exists;
   if (!options.csv.empty())
   {
@@ -152,12 +150,9 @@ std::unique_ptr<BagWriter> Replay::resumeOutput()
                                                                 return header.has(description_field) &&
                                                                        header.text(description_field) == description_;
                                                               });
-  if (!is_same)
-  {
-    throw std::runtime_error(options_.output +
-                             ": cannot be resumed; it contains no results of this input with "
-                             "these parameters and options");
-  }
+  core::refuseIf<std::runtime_error>(!is_same, options_.output +
+                                                   ": cannot be resumed; it contains no results of this input with "
+                                                   "these parameters and options");
   resume_point_ = resumePointOf(file);
   auto bag = std::make_unique<BagWriter>(options_.output, options_.compression, resume_point_);
   counts_ = resumedResults(options_.output, resume_point_, options_.inputs.wheelsets.size());

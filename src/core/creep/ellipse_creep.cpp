@@ -60,14 +60,8 @@ CreepForce ellipseCreepForce(const CreepEllipse& ellipse, const Creepage& creepa
   problem.elasticity = elasticity;
   CreepSolution solution;
   makeCreepSolver(method)->solve(problem, false, solution);
-  if (solution.status == CreepStatus::invalid_problem)
-  {
-    throw std::invalid_argument("creepage: must be finite");
-  }
-  if (!isUsable(solution.status))
-  {
-    throw std::runtime_error(std::string("creep force: ") + toString(solution.status));
-  }
+  refuseIf(solution.status == CreepStatus::invalid_problem, "creepage: must be finite");
+  refuseIf<std::runtime_error>(!isUsable(solution.status), std::string("creep force: ") + toString(solution.status));
   return solution.force;
 }
 }  // namespace wheel_rail_contact::core

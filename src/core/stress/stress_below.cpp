@@ -254,10 +254,7 @@ Stress stressAt(const PatchGrid& grid, const Eigen::ArrayXXd& pressure, double p
       if (jump != 0)
       {
         const Eigen::Vector3d corner(grid.x(i) - 0.5 * grid.dx, grid.y(j) - 0.5 * grid.dy, 0), offset = point - corner;
-        if (offset.squaredNorm() == 0)
-        {
-          throw std::invalid_argument("depth = 0: must be above 0 at a corner of a cell, where xy is infinite");
-        }
+        refuseIf(offset.squaredNorm() == 0, "depth = 0: must be above 0 at a corner of a cell, where xy is infinite");
         add(jump, cornerStress(offset.x(), offset.y(), offset.z(), poisson), sum);
       }
     }

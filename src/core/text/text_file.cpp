@@ -117,35 +117,27 @@ bool isControl(char c)
 
 std::string contentOf(const std::string& path, std::size_t largest)
 {
-  const auto refuse = [&path](const std::string& reason) { throw FileError(path, 0, reason); };
+  const auto refuse_if = [&path](bool fault, const std::string& reason)
+  {
+    if (fault)
+    {
+      throw FileError(path, 0, reason);
+    }
+  };
   std::error_code error;
-  if (path.find('\0') != std::string::npos || !std::filesystem::is_regular_file(path, error))
-  {
-    refuse("no such file");
-  }
+  refuse_if(path.find('\0') != std::string::npos || !std::filesystem::is_regular_file(path, error), "no such file");
   const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error || size > largest)
-  {
-    refuse("larger than " + std::to_string(largest >> 20U) + " MiB");
-  }
+  refuse_if(error || size > largest, "larger than " + std::to_string(largest >> 20U) + " MiB");
   std::ifstream stream(path, std::ios::binary);
   std::string bytes(static_cast<std::size_t>(size), '\0');
   stream.read(&bytes[0], static_cast<std::streamsize>(size));
-  if (!stream)
-  {
-    refuse("cannot be read");
-  }
+  refuse_if(!stream, "cannot be read");
   std::string text = asUtf8(bytes);
   // Ctrl-Z ends the text of files of DOS.
   text.erase(text.find_last_not_of('\x1A') + 1);
-  if (std::any_of(text.begin(), text.end(), isControl))
-  {
-    refuse("contains binary data: not a text in UTF-8, Latin-1, or UTF-16 with a byte order mark");
-  }
-  if (trim(text).empty())
-  {
-    refuse("is empty");
-  }
+  refuse_if(std::any_of(text.begin(), text.end(), isControl),
+            "contains binary data: not a text in UTF-8, Latin-1, or UTF-16 with a byte order mark");
+  refuse_if(trim(text).empty(), "is empty");
   return text;
 }
 }  // namespace
@@ -171,10 +163,7 @@ bool TextFile::next()
   }
   const std::size_t end = std::min(text_.find_first_of("\r\n", position_), text_.size());
   ++number_;
-  if (end - position_ > longest_line_)
-  {
-    refuse("line has more than " + std::to_string(longest_line_) + " characters");
-  }
+  refuseIf(end - position_ > longest_line_, number_, "line has more than ", longest_line_, " characters");
   whole_line_ = text_.substr(position_, end - position_);
   line_ = trim(whole_line_);
   position_ = end + (text_.compare(end, 2, "\r\n") == 0 ? 2 : 1);

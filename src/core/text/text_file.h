@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <sstream>
 #include <string>
 #include <string_view>
 
@@ -46,11 +47,14 @@ class TextFile
   [[noreturn]] void refuse(std::size_t line, const std::string& reason) const { throw FileError(path_, line, reason); }
   /// The same if there is a fault.
   void refuseIf(bool fault, std::string_view reason) const { refuseIf(fault, number_, reason); }
-  void refuseIf(bool fault, std::size_t line, std::string_view reason) const
+  template <typename... Parts>
+  void refuseIf(bool fault, std::size_t line, const Parts&... parts) const
   {
     if (fault)
     {
-      refuse(line, std::string(reason));
+      std::ostringstream reason;
+      (reason << ... << parts);
+      refuse(line, reason.str());
     }
   }
 

@@ -135,10 +135,9 @@ bool CellTable::next(TableRow& row)
     {
       continue;
     }
-    if (std::any_of(row.cells.begin(), row.cells.end(), [](const std::string& cell) { return cell[0] == '"'; }))
-    {
-      file_.refuse("a quotation mark is not closed at the end of a cell");
-    }
+    file_.refuseIf(
+        std::any_of(row.cells.begin(), row.cells.end(), [](const std::string& cell) { return cell[0] == '"'; }),
+        "a quotation mark is not closed at the end of a cell");
     if (count > columns_ || (row.cells.size() < columns_ && (of_numbers_ || separator_ == ' ')))
     {
       const std::string hint =

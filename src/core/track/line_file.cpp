@@ -326,10 +326,8 @@ bool isReversed(std::vector<Row>& rows, const TextFile& file)
   for (std::size_t i = 1; i < rows.size(); ++i)
   {
     const double step = *rows[i].value[x] - *rows[i - 1].value[x];
-    if (!(reversed ? step < 0 : step > 0))
-    {
-      file.refuse(rows[i].line, reversed ? "x must decrease, as from the first row to the last" : "x must increase");
-    }
+    file.refuseIf(!(reversed ? step < 0 : step > 0), rows[i].line,
+                  reversed ? "x must decrease, as from the first row to the last" : "x must increase");
   }
   if (reversed)
   {

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string_view>
 
 #include "core/option_check.h"
 #include "core/profile/curve/monotone_cubic.h"
@@ -21,14 +19,13 @@ constexpr LengthRange tape_circles{0.005, 0.5};
 
 constexpr double largest_value = 0.2;  ///< of a cross level or displacement [m], [rad]
 
-/// Reason why the values of a station are refused; empty if they are finite and not above 0.2 m or 0.2 rad.
-std::string_view fault(const LineStation& station)
+/// True if the values of a station are finite and not above 0.2 m or 0.2 rad.
+bool isPlausible(const LineStation& station)
 {
   const auto valid = [](double value) { return std::abs(value) <= largest_value; };
   const auto placed = [&valid](const RailDeflection& rail)
   { return valid(rail.lateral) && valid(rail.vertical) && valid(rail.roll); };
-  const bool all = valid(station.cross_level) && placed(station.rail.left) && placed(station.rail.right);
-  return all ? std::string_view() : "a cross level or displacement is above 0.2 m or 0.2 rad";
+  return valid(station.cross_level) && placed(station.rail.left) && placed(station.rail.right);
 }
 }  // namespace
 
@@ -71,20 +68,15 @@ TrackLine::Quantities TrackLine::quantitiesOf(const LineStation& station)
 TrackLine::TrackLine(std::string name, const std::vector<LineStation>& stations, double longest_gap)
     : name_(std::move(name)), longest_gap_(longest_gap)
 {
-  const auto require = [this](std::size_t station, std::string_view reason)
-  {
-    if (!reason.empty())
-    {
-      throw std::invalid_argument(name_ + ": station " + std::to_string(station + 1) + ": " + std::string(reason));
-    }
-  };
   refuseIf(stations.size() < 2, name_ + ": a line needs at least two stations");
   for (std::size_t i = 0; i < stations.size(); ++i)
   {
     x_.push_back(stations[i].x);
     values_.push_back(quantitiesOf(stations[i]));
-    require(i, std::isfinite(x_[i]) && (i == 0 || x_[i] > x_[i - 1]) ? "" : "x must increase");
-    require(i, fault(stations[i]));
+    const bool increases = std::isfinite(x_[i]) && (i == 0 || x_[i] > x_[i - 1]);
+    refuseIf(!increases, name_, ": station ", i + 1, ": x must increase");
+    refuseIf(!isPlausible(stations[i]), name_, ": station ", i + 1,
+             ": a cross level or displacement is above 0.2 m or 0.2 rad");
   }
   slopes_.resize(x_.size());
   for (std::size_t k = 0; k < quantities; ++k)
@@ -128,5 +120,4 @@ LineStation TrackLine::at(double x) const
   }
   return {x, q[0], {RailDeflection{q[1], q[2], q[3]}, RailDeflection{q[4], q[5], q[6]}}};
 }
-
 }  // namespace wheel_rail_contact::core

@@ -22,6 +22,16 @@ namespace core = wheel_rail_contact::core;
 
 namespace
 {
+/// @throw Error with this reason if there is a fault.
+template <typename Error = std::runtime_error>
+void failIf(bool fault, const std::string& reason)
+{
+  if (fault)
+  {
+    throw Error(reason);
+  }
+}
+
 /// Text of ContactReply::status.
 std::string statusText(const std::string& name, const std::string& reason)
 {
@@ -46,13 +56,7 @@ void requireSuitable(const wheel_rail_contact::ContactParameters& parameters)
 {
   const core::WheelsetConfig& wheelset = parameters.model.wheelset;
   const core::RailBendingConfig& bending = parameters.model.rail_bending;
-  const auto require = [](bool is_suitable, const char* text)
-  {
-    if (!is_suitable)
-    {
-      throw std::invalid_argument(text);
-    }
-  };
+  const auto require = [](bool is_suitable, const char* text) { failIf<std::invalid_argument>(!is_suitable, text); };
   require(wheelset.balance == core::WheelsetConfig::Balance::moments,
           "wheelset/balance = wheel_loads must be moments: the load of this program is for it");
   require(parameters.model.creep.method != core::CreepMethod::none,
@@ -206,29 +210,21 @@ core::ContactModelConfig readContact(const std::string& file)
 void requireLoad(const std::string& node)
 {
   const std::string balance = fullName(node, "wheelset/balance"), method = fullName(node, "creep/method");
-  if (ros::param::param<std::string>(balance, "wheel_loads") != "moments")
-  {
-    throw std::runtime_error(balance + " must be moments: the load of this program is for it");
-  }
-  if (ros::param::param<std::string>(method, "none") == "none")
-  {
-    throw std::runtime_error(method + " must be linear, fastsim or exact: this program has no friction of its own");
-  }
+  failIf(ros::param::param<std::string>(balance, "wheel_loads") != "moments",
+         balance + " must be moments: the load of this program is for it");
+  failIf(ros::param::param<std::string>(method, "none") == "none",
+         method + " must be linear, fastsim or exact: this program has no friction of its own");
   const std::string free = fullName(node, "wheelset/free");
   std::vector<std::string> solved;
-  if (ros::param::get(free, solved) && solved.empty())
-  {
-    throw std::runtime_error(free + " = [] must be [z, roll]: this program does not integrate height and roll");
-  }
+  failIf(ros::param::get(free, solved) && solved.empty(),
+         free + " = [] must be [z, roll]: this program does not integrate height and roll");
 }
 
 ServiceContact::ServiceContact(const std::string& node, std::string frame) : frame_(std::move(frame))
 {
   const std::string service = nh_.resolveName(node + "/evaluate");
-  if (!ros::service::waitForService(service, ros::Duration(service_wait)))
-  {
-    throw std::runtime_error("no service " + service + " within a minute");
-  }
+  failIf(!ros::service::waitForService(service, ros::Duration(service_wait)),
+         "no service " + service + " within a minute");
   requireLoad(node);
   // A persistent client connects when it is made: the service must exist.
   client_ = nh_.serviceClient<EvaluateWheelset>(service, true);
@@ -238,10 +234,7 @@ ContactReply ServiceContact::evaluate(const ContactRequest& request)
 {
   EvaluateWheelset call;
   call.request = messageOf(request, frame_);
-  if (!client_.call(call))
-  {
-    throw std::runtime_error("the call of " + client_.getService() + " failed");
-  }
+  failIf(!client_.call(call), "the call of " + client_.getService() + " failed");
   return replyOf(call.response.contact);
 }
 
@@ -275,10 +268,7 @@ TopicContact::TopicContact(const std::string& node, std::string frame) : frame_(
 ContactReply TopicContact::evaluate(const ContactRequest& request)
 {
   send(request);
-  if (!waitFor(stampOf(request.time), result_wait))
-  {
-    throw std::runtime_error("no result on " + subscriber_.getTopic() + " within 10 s");
-  }
+  failIf(!waitFor(stampOf(request.time), result_wait), "no result on " + subscriber_.getTopic() + " within 10 s");
   return replyOf(*latest_);
 }
 

@@ -19,13 +19,24 @@ constexpr double largest_tf_error = 1e-4;  ///< estimated error of the interpola
   throw UnusableInput(WheelsetContact::INVALID_INPUT, reason);
 }
 
+void refuseIf(bool fault, const std::string& reason)
+{
+  if (fault)
+  {
+    refuse(reason);
+  }
+}
+
+void requireFinite(std::initializer_list<double> values, const std::string& name)
+{
+  refuseIf(!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }),
+           name + " is not finite");
+}
+
 template <typename Vector>
 void requireFinite(const Vector& v, const std::string& name)
 {
-  if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
-  {
-    refuse(name + " is not finite");
-  }
+  requireFinite({v.x, v.y, v.z}, name);
 }
 
 void requireFinite(const geometry_msgs::Wrench& wrench, const std::string& name)
@@ -40,10 +51,8 @@ Eigen::Isometry3d toIsometry(const geometry_msgs::Pose& pose)
   const auto& o = pose.orientation;
   const Eigen::Quaterniond q(o.w, o.x, o.y, o.z);
   const double norm = q.norm();
-  if (!(std::abs(norm - 1) <= quaternion_tolerance))
-  {
-    refuse("pose: the length of the quaternion is " + std::to_string(norm) + ", but must be 1 within 0.001");
-  }
+  refuseIf(!(std::abs(norm - 1) <= quaternion_tolerance),
+           "pose: the length of the quaternion is " + std::to_string(norm) + ", but must be 1 within 0.001");
   return Eigen::Translation3d(pose.position.x, pose.position.y, pose.position.z) * q.normalized();
 }
 
@@ -93,29 +102,24 @@ void requireAxle(const Eigen::Matrix3d& axes, const core::WheelsetPose& pose)
 {
   Eigen::Index nearest = 1;
   axes.row(1).cwiseAbs().maxCoeff(&nearest);
-  const auto angle = [](const char* name, double value)
-  { return formatted(" (%s %.4g deg)", name, value / core::degree); };
-  if (nearest != 1)
+  if (nearest == 1 && axes(1, 1) >= 0)
   {
-    refuse("pose: its y axis is not along the axle" + (nearest == 2 ? angle("roll", pose.roll) + ", but its z axis"
-                                                                    : angle("yaw", pose.yaw) + ", but its x axis"));
+    return;
   }
-  if (axes(1, 1) < 0)
-  {
-    refuse(
-        "pose: its y axis points to the right" + angle("yaw", pose.yaw) +
-        ": the vehicle is turned round, or y and z are those of railways. Turn the pose by 180 deg about z; its left "
-        "wheel is then that on the left rail of track/frame");
-  }
+  const double roll = pose.roll / core::degree, yaw = pose.yaw / core::degree;
+  refuse(nearest == 2   ? formatted("pose: its y axis is not along the axle (roll %.4g deg), but its z axis", roll)
+         : nearest == 0 ? formatted("pose: its y axis is not along the axle (yaw %.4g deg), but its x axis", yaw)
+                        : formatted("pose: its y axis points to the right (yaw %.4g deg): the vehicle is turned round, "
+                                    "or y and z are those of railways. Turn the pose by 180 deg about z; its left "
+                                    "wheel is then that on the left rail of track/frame",
+                                    yaw));
 }
 
 void setLoad(const geometry_msgs::WrenchStamped& load, const std::string& track_frame, core::WheelsetState& state)
 {
   const std::string& frame = load.header.frame_id;
-  if (!frame.empty() && frame != track_frame)
-  {
-    refuse("load: frame_id is '" + shown(frame) + "', but must be '" + track_frame + "' or empty (track axes)");
-  }
+  refuseIf(!frame.empty() && frame != track_frame,
+           "load: frame_id is '" + shown(frame) + "', but must be '" + track_frame + "' or empty (track axes)");
   requireFinite(load.wrench, "load");
   state.force_z = load.wrench.force.z;
   state.torque_x = load.wrench.torque.x;
@@ -140,14 +144,8 @@ void setRailForces(const ContactInput& input, core::WheelsetState& state)
 
 void setRail(const RailDisplacement& rail, core::Side side, core::WheelsetState& state)
 {
-  if (!std::isfinite(rail.lateral) || !std::isfinite(rail.vertical) || !std::isfinite(rail.roll))
-  {
-    refuse(railName(side) + " displacement is not finite");
-  }
-  if (!std::isfinite(rail.lateral_velocity) || !std::isfinite(rail.vertical_velocity) || !std::isfinite(rail.roll_rate))
-  {
-    refuse(railName(side) + " velocity is not finite");
-  }
+  requireFinite({rail.lateral, rail.vertical, rail.roll}, railName(side) + " displacement");
+  requireFinite({rail.lateral_velocity, rail.vertical_velocity, rail.roll_rate}, railName(side) + " velocity");
   state.rail_displacement[side] = {rail.lateral, rail.vertical, rail.roll};
   state.rail_velocity[side] = {rail.lateral_velocity, rail.vertical_velocity, rail.roll_rate};
 }
@@ -157,11 +155,9 @@ void setMotion(const geometry_msgs::TwistStamped& message, const std::string& po
                const std::string& track_frame, const Eigen::Matrix3d& to_track, core::WheelsetState& state)
 {
   const std::string& frame = message.header.frame_id;
-  if (frame != track_frame && frame != pose_frame)
-  {
-    refuse("twist: frame_id is '" + shown(frame) + "', but must be '" + track_frame + "' (track/frame)" +
-           (pose_frame == track_frame ? "" : " or '" + shown(pose_frame) + "', the frame of the pose"));
-  }
+  refuseIf(frame != track_frame && frame != pose_frame,
+           "twist: frame_id is '" + shown(frame) + "', but must be '" + track_frame + "' (track/frame)" +
+               (pose_frame == track_frame ? "" : " or '" + shown(pose_frame) + "', the frame of the pose"));
   const auto &linear = message.twist.linear, &angular = message.twist.angular;
   requireFinite(linear, "twist: linear");
   requireFinite(angular, "twist: angular");
@@ -189,10 +185,7 @@ bool isFrameName(const std::string& name)
 core::WheelsetState toState(const ContactInput& input, const std::string& track_frame,
                             const tf2::BufferCore& transforms)
 {
-  if (!input.fault.empty())
-  {
-    refuse(input.fault);
-  }
+  refuseIf(!input.fault.empty(), input.fault);
   core::WheelsetState state;
   const Eigen::Isometry3d own = toIsometry(input.pose->pose);
   const Eigen::Isometry3d to_track = toTrack(input.pose->header, track_frame, transforms), pose = to_track * own;
@@ -216,10 +209,7 @@ core::WheelsetState toState(const ContactInput& input, const std::string& track_
   if (input.distance)
   {
     state.distance = input.distance->point.x;
-    if (!std::isfinite(state.distance))
-    {
-      refuse("distance: point.x is not finite");
-    }
+    requireFinite({state.distance}, "distance: point.x");
   }
   if (input.twist)
   {

@@ -2,7 +2,6 @@
 #include "ros/evaluation/conversions.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "config/result_fields.h"
 #include "core/option_check.h"
@@ -90,12 +89,9 @@ core::PatchStress fromMessage(const PatchStress& message, const core::PatchGrid&
   visitPeak(reading(message.shear, stress.shear));
   const std::size_t components = std::tuple_size<decltype(core::StressLayer::components)>::value;
   const std::size_t cells = static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny);
-  if (message.stress.size() != message.depths.size() * components * cells)
-  {
-    throw std::invalid_argument("stress field: " + std::to_string(message.stress.size()) + " values for " +
-                                std::to_string(message.depths.size()) + " depths and a grid of " +
-                                std::to_string(grid.nx) + " x " + std::to_string(grid.ny));
-  }
+  core::refuseIf(message.stress.size() != message.depths.size() * components * cells,
+                 "stress field: ", message.stress.size(), " values for ", message.depths.size(),
+                 " depths and a grid of ", grid.nx, " x ", grid.ny);
   const float* values = message.stress.data();
   for (const double depth : message.depths)
   {
@@ -118,11 +114,7 @@ Eigen::ArrayXXd tractions(const std::vector<float>& values, const core::PatchGri
     return {};
   }
   const std::size_t cells = static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny);
-  if (values.size() != cells)
-  {
-    throw std::invalid_argument(std::string(name) + ": " + std::to_string(values.size()) + " values for a grid of " +
-                                std::to_string(grid.nx) + " x " + std::to_string(grid.ny));
-  }
+  core::refuseIf(values.size() != cells, name, ": ", values.size(), " values for a grid of ", grid.nx, " x ", grid.ny);
   return Eigen::Map<const Eigen::ArrayXXf>(values.data(), grid.nx, grid.ny).cast<double>();
 }
 
@@ -175,10 +167,8 @@ std::uint8_t toMessage(core::ContactStatus status)
 
 core::ContactStatus statusFromMessage(std::uint8_t status)
 {
-  if (status > WheelsetContact::TOO_DEEP)
-  {
-    throw std::invalid_argument("wheelset contact: status " + std::to_string(status) + " is unknown");
-  }
+  core::refuseIf(status > WheelsetContact::TOO_DEEP,
+                 "wheelset contact: status " + std::to_string(status) + " is unknown");
   return status == WheelsetContact::NO_TRANSFORM ? core::ContactStatus::invalid_input
                                                  : static_cast<core::ContactStatus>(status);
 }
@@ -224,12 +214,9 @@ geometry_msgs::Pose toMessage(const core::PatchPose& pose, double x)
 
 PressureGrid toMessage(const core::PatchGrid& grid, const Eigen::ArrayXXd& pressure)
 {
-  if (grid.nx < 0 || grid.ny < 0 || pressure.rows() != grid.nx || pressure.cols() != grid.ny)
-  {
-    throw std::invalid_argument("pressure grid: " + std::to_string(pressure.rows()) + " x " +
-                                std::to_string(pressure.cols()) + " values for a grid of " + std::to_string(grid.nx) +
-                                " x " + std::to_string(grid.ny));
-  }
+  core::refuseIf(grid.nx < 0 || grid.ny < 0 || pressure.rows() != grid.nx || pressure.cols() != grid.ny,
+                 "pressure grid: ", pressure.rows(), " x ", pressure.cols(), " values for a grid of ", grid.nx, " x ",
+                 grid.ny);
   PressureGrid message;
   visitGrid(writing(grid, message));
   message.pressure.resize(static_cast<std::size_t>(pressure.size()));
@@ -240,11 +227,9 @@ PressureGrid toMessage(const core::PatchGrid& grid, const Eigen::ArrayXXd& press
 void fromMessage(const PressureGrid& message, core::PatchGrid& grid, Eigen::ArrayXXd& pressure)
 {
   constexpr std::uint32_t largest = 1U << 15U;  // of nx and ny, so that their product does not overflow
-  if (message.nx > largest || message.ny > largest || message.pressure.size() != std::size_t{message.nx} * message.ny)
-  {
-    throw std::invalid_argument("pressure grid: " + std::to_string(message.pressure.size()) + " values for a grid of " +
-                                std::to_string(message.nx) + " x " + std::to_string(message.ny));
-  }
+  const bool fits = message.nx <= largest && message.ny <= largest;
+  core::refuseIf(!fits || message.pressure.size() != std::size_t{message.nx} * message.ny,
+                 "pressure grid: ", message.pressure.size(), " values for a grid of ", message.nx, " x ", message.ny);
   visitGrid(reading(message, grid));
   pressure = Eigen::Map<const Eigen::ArrayXXf>(message.pressure.data(), grid.nx, grid.ny).cast<double>();
 }
@@ -269,10 +254,8 @@ ContactPatch toMessage(const core::PatchResult& patch, double x, bool with_grid)
 
 core::PatchResult fromMessage(const ContactPatch& message, double x)
 {
-  if (message.side != ContactPatch::LEFT && message.side != ContactPatch::RIGHT)
-  {
-    throw std::invalid_argument("contact patch: side " + std::to_string(message.side) + " is unknown");
-  }
+  core::refuseIf(message.side != ContactPatch::LEFT && message.side != ContactPatch::RIGHT,
+                 "contact patch: side " + std::to_string(message.side) + " is unknown");
   core::PatchResult patch;
   patch.side = message.side == ContactPatch::LEFT ? core::Side::left : core::Side::right;
   patch.pose = patchPoseFromMessage(message.pose, x);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
+#include "core/option_check.h"
 #include "core/profile/curve/spline.h"
 
 namespace wheel_rail_contact::core
@@ -13,11 +12,6 @@ using Column = std::vector<double>;
 
 constexpr std::size_t least_points = 4;
 constexpr double longest_polygon = 10.0;  ///< [m]; limits the memory of a spline
-
-[[noreturn]] void refuse(const std::string& reason)
-{
-  throw std::invalid_argument("profile spline: " + reason);
-}
 
 /// Second derivatives of the natural cubic spline with values f at knots u (Thomas algorithm).
 Column secondDerivatives(const Column& u, const Column& f)
@@ -54,45 +48,30 @@ void fillCubic(const Column& u, const Column& f, const Column& second, std::size
 
 std::vector<double> polygonLength(const std::vector<SampledPoint>& points)
 {
-  if (points.size() < least_points)
-  {
-    refuse("number of points is " + std::to_string(points.size()) + ", must be at least " +
-           std::to_string(least_points));
-  }
+  refuseIf(points.size() < least_points, "profile spline: number of points is ", points.size(), ", must be at least ",
+           least_points);
   std::vector<double> length(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     const SampledPoint& point = points[i];
-    if (!std::isfinite(point.y) || !std::isfinite(point.z))
-    {
-      refuse("point " + std::to_string(i) + " is not finite");
-    }
-    if (!(point.weight > 0.0) || !std::isfinite(point.weight))
-    {
-      refuse("weight of point " + std::to_string(i) + " is " + std::to_string(point.weight) + ", must be positive");
-    }
+    refuseIf(!std::isfinite(point.y) || !std::isfinite(point.z), "profile spline: point ", i, " is not finite");
+    refuseIf(!(point.weight > 0.0) || !std::isfinite(point.weight), "profile spline: weight of point ", i, " is ",
+             point.weight, ", must be positive");
     if (i > 0)
     {
       length[i] = length[i - 1] + distance(points[i - 1], points[i]);
-      if (!(length[i] > length[i - 1]))
-      {
-        refuse("points " + std::to_string(i - 1) + " and " + std::to_string(i) + " are equal");
-      }
+      refuseIf(!(length[i] > length[i - 1]), "profile spline: points ", i - 1, " and ", i, " are equal");
     }
   }
-  if (!(length.back() <= longest_polygon))
-  {
-    refuse("polygon through the points is " + std::to_string(length.back()) + " m long, must be at most " +
-           std::to_string(longest_polygon) + " m");
-  }
+  refuseIf(!(length.back() <= longest_polygon), "profile spline: polygon through the points is ", length.back(),
+           " m long, must be at most ", longest_polygon, " m");
   return length;
 }
 
 std::vector<ProfileSection> interpolatingSpline(const std::vector<SampledPoint>& points)
 {
   const Column u = polygonLength(points);
-  Column y;
-  Column z;
+  Column y, z;
   for (const SampledPoint& point : points)
   {
     y.push_back(point.y);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "core/constants.h"
 #include "core/option_check.h"
@@ -33,10 +32,7 @@ CurveExpansion evaluate(const ArcSection& arc, double t)
 CurveExpansion evaluate(const PolynomialSection& law, double t)
 {
   const double y = law.y0 + t;
-  double value = 0.0;
-  double first = 0.0;
-  double half_second = 0.0;
-  double sixth_third = 0.0;
+  double value = 0.0, first = 0.0, half_second = 0.0, sixth_third = 0.0;
   for (std::size_t k = law.count; k-- > 0;)
   {
     sixth_third = sixth_third * y + half_second;
@@ -61,22 +57,15 @@ CurveExpansion evaluate(const CubicSection& law, double t)
 /// Lines and cubics need no further check: any finite numbers define them.
 void checkSection(const ProfileSection& section)
 {
-  if (!(section.length > 0.0) || !std::isfinite(section.length))
-  {
-    throw std::invalid_argument("profile: section length is " + std::to_string(section.length) +
-                                " m, must be positive and finite");
-  }
+  refuseIf(!(section.length > 0.0) || !std::isfinite(section.length), "profile: section length is ", section.length,
+           " m, must be positive and finite");
   const auto* arc = std::get_if<ArcSection>(&section.law);
-  if (arc != nullptr && !(arc->radius > 0.0))
-  {
-    throw std::invalid_argument("profile: arc radius is " + std::to_string(arc->radius) + " m, must be positive");
-  }
+  const double radius = arc != nullptr ? arc->radius : infinity;
+  refuseIf(!(radius > 0.0), "profile: arc radius is ", radius, " m, must be positive");
   const auto* law = std::get_if<PolynomialSection>(&section.law);
-  if (law != nullptr && law->count > PolynomialSection::max_coefficients)
-  {
-    throw std::invalid_argument("profile: polynomial has " + std::to_string(law->count) + " coefficients, at most " +
-                                std::to_string(PolynomialSection::max_coefficients) + " are allowed");
-  }
+  const std::size_t count = law != nullptr ? law->count : 0;
+  refuseIf(count > PolynomialSection::max_coefficients, "profile: polynomial has ", count, " coefficients, at most ",
+           PolynomialSection::max_coefficients, " are allowed");
 }
 
 constexpr double origin_accuracy = 1e-9;  ///< of ParameterRange::origin [m]

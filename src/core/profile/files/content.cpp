@@ -91,10 +91,7 @@ FileProfile readContent(TextFile& file, ProfileKind kind)
 
 void addPoint(const TextFile& file, FileProfile& content, SampledPoint point, const std::string& z_text)
 {
-  if (content.points.size() >= most_points)
-  {
-    file.refuse("more than " + std::to_string(most_points) + " points");
-  }
+  file.refuseIf(content.points.size() >= most_points, file.number(), "more than ", most_points, " points");
   point.line = file.number();
   content.points.push_back(point);
   content.decimals = std::max(content.decimals.value_or(decimalPlaces(z_text)), decimalPlaces(z_text));

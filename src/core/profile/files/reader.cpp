@@ -2,9 +2,9 @@
 #include "wheel_rail_contact/core/profile_reader.h"
 
 #include <filesystem>
-#include <stdexcept>
 #include <tuple>
 
+#include "core/option_check.h"
 #include "core/profile/files/steps.h"
 #include "core/text/words.h"
 
@@ -44,17 +44,12 @@ const char* nameOf(ProfileKind kind)
 DescribedProfile describedStandard(const StandardProfile& standard, ProfileKind kind, const ProfileReading& reading)
 {
   const std::string name = standard.name;
-  if (!fits(standard.kind, kind))
-  {
-    throw std::invalid_argument("profile '" + name + "' belongs to a " + nameOf(standard.kind) + "; a " + nameOf(kind) +
-                                " profile is required");
-  }
-  if (!(reading == ProfileReading{}))
-  {
-    throw std::invalid_argument(
-        "options (unit, y, z, origin, shift, rotate, mirror, smoothing) apply to files, not to the standard profile '" +
-        name + "'");
-  }
+  refuseIf(!fits(standard.kind, kind), "profile '" + name + "' belongs to a " + nameOf(standard.kind) + "; a " +
+                                           nameOf(kind) + " profile is required");
+  refuseIf(
+      !(reading == ProfileReading{}),
+      "options (unit, y, z, origin, shift, rotate, mirror, smoothing) apply to files, not to the standard profile '" +
+          name + "'");
   ProfileReport report;
   report.text = "standard profile";
   return {standard.make(), report, {}};
