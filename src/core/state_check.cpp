@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/state_check.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "core/text/formatted.h"
 
@@ -29,58 +32,40 @@ bool within(const WheelsetMotion& motion)
          within(motion.rotation, rate_limit) && within(motion.vertical_velocity, speed_limit);
 }
 
-bool within(const RailDeflection& displacement)
+/// True for displacements or velocities of both rails that are within the limits.
+template <typename Rail>
+bool within(const Sides<Rail>& rails, double shift, double turn)
 {
-  return within(displacement.lateral, displacement_limit) && within(displacement.vertical, displacement_limit) &&
-         within(displacement.roll, angle_limit);
-}
-
-bool within(const RailRates& velocity)
-{
-  return within(velocity.lateral, speed_limit) && within(velocity.vertical, speed_limit) &&
-         within(velocity.roll, rate_limit);
+  return std::all_of(sides.begin(), sides.end(),
+                     [&](Side side)
+                     {
+                       return within(rails[side].lateral, shift) && within(rails[side].vertical, shift) &&
+                              within(rails[side].roll, turn);
+                     });
 }
 }  // namespace
 
 std::string_view faultOf(const WheelsetState& state, bool height_and_roll_given)
 {
-  if (!std::isfinite(state.y))
-  {
-    return "lateral position is not a number";
-  }
-  if (std::abs(state.roll) > angle_limit || (height_and_roll_given && std::isnan(state.roll)))
-  {
-    return "roll is not a number or beyond 0.2 rad";
-  }
-  if (!within(state.yaw, angle_limit))
-  {
-    return "yaw is not a number or beyond 0.2 rad";
-  }
-  if (!within(state.force_z, force_limit) || !within(state.torque_x, force_limit))
-  {
-    return "load is not a number or beyond 1e8 N";
-  }
-  if (!within(state.rail_lateral_force.left, force_limit) || !within(state.rail_lateral_force.right, force_limit))
-  {
-    return "lateral rail force is not a number or beyond 1e8 N";
-  }
-  if (!within(state.rail_displacement.left) || !within(state.rail_displacement.right))
-  {
-    return "displacement of a rail is not a number or beyond 0.1 m or 0.2 rad";
-  }
-  if (!within(state.rail_velocity.left) || !within(state.rail_velocity.right))
-  {
-    return "velocity of a rail is not a number or beyond 1000 m/s or 10000 rad/s";
-  }
-  if (!within(state.motion))
-  {
-    return "a velocity of the axle is not a number or beyond 1000 m/s or 10000 rad/s";
-  }
-  if (height_and_roll_given && !within(state.z, height_limit))
-  {
-    return "height is not a number or beyond 1 m";
-  }
-  return {};
+  const auto& force = state.rail_lateral_force;
+  const bool has_roll = !height_and_roll_given || !std::isnan(state.roll);
+  const std::pair<bool, std::string_view> rules[] = {
+      {std::isfinite(state.y), "lateral position is not a number"},
+      {has_roll && !(std::abs(state.roll) > angle_limit), "roll is not a number or beyond 0.2 rad"},
+      {within(state.yaw, angle_limit), "yaw is not a number or beyond 0.2 rad"},
+      {within(state.force_z, force_limit) && within(state.torque_x, force_limit),
+       "load is not a number or beyond 1e8 N"},
+      {within(force.left, force_limit) && within(force.right, force_limit),
+       "lateral rail force is not a number or beyond 1e8 N"},
+      {within(state.rail_displacement, displacement_limit, angle_limit),
+       "displacement of a rail is not a number or beyond 0.1 m or 0.2 rad"},
+      {within(state.rail_velocity, speed_limit, rate_limit),
+       "velocity of a rail is not a number or beyond 1000 m/s or 10000 rad/s"},
+      {within(state.motion), "a velocity of the axle is not a number or beyond 1000 m/s or 10000 rad/s"},
+      {!height_and_roll_given || within(state.z, height_limit), "height is not a number or beyond 1 m"}};
+  const auto* const broken =
+      std::find_if(std::begin(rules), std::end(rules), [](const auto& rule) { return !rule.first; });
+  return broken == std::end(rules) ? std::string_view() : broken->second;
 }
 
 std::string loadDoubt(double mean, const WheelsetConfig& wheelset)

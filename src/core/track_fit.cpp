@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
 
 #include "core/option_check.h"
@@ -100,22 +101,21 @@ std::vector<std::string> checkFit(const ContactModelConfig& config)
   {
     const double radius = config.wheelset.rolling_radius[side], inclination = config.track.rail_inclination[side];
     const bool is_usual = radius >= least_radius * gauge && radius <= most_radius * gauge;
-    for (const std::string& remark :
-         {fitOf(config, side, scale),
-          is_usual ? ""
-                   : formatted("wheelset/rolling_radius = %.10g m (%s) is not 0.1 to 0.5 of track/gauge: is it the "
-                               "diameter, or in another unit?",
-                               radius, nameOf(side)),
-          inclination > field_side ? ""
-                                   : formatted("track/rail_inclination = %.10g (%s) leans the rail to the field side",
-                                               inclination, nameOf(side))})
+    remarks.push_back(fitOf(config, side, scale));
+    if (!is_usual)
     {
-      if (!remark.empty())
-      {
-        remarks.push_back(remark);
-      }
+      remarks.push_back(
+          formatted("wheelset/rolling_radius = %.10g m (%s) is not 0.1 to 0.5 of track/gauge: is it the "
+                    "diameter, or in another unit?",
+                    radius, nameOf(side)));
+    }
+    if (!(inclination > field_side))
+    {
+      remarks.push_back(
+          formatted("track/rail_inclination = %.10g (%s) leans the rail to the field side", inclination, nameOf(side)));
     }
   }
+  remarks.erase(std::remove(remarks.begin(), remarks.end(), ""), remarks.end());
   return remarks;
 }
 }  // namespace wheel_rail_contact::core

@@ -14,22 +14,17 @@ namespace
 {
 constexpr int both_sides = 2;
 
-FloatProperty* makeFloat(const char* name, float value, float least, float most, const char* description,
-                         Property* parent)
+template <typename Number, typename Value>
+Number* make(const char* name, Value value, Value least, Value most, const char* description, Property* parent)
 {
-  auto* property = new FloatProperty(name, value, description, parent);
+  auto* property = new Number(name, value, description, parent);
   property->setMin(least);
   property->setMax(most);
   return property;
 }
 
-IntProperty* makeInt(const char* name, int value, int least, int most, const char* description, Property* parent)
-{
-  auto* property = new IntProperty(name, value, description, parent);
-  property->setMin(least);
-  property->setMax(most);
-  return property;
-}
+constexpr auto makeFloat = make<FloatProperty, float>;
+constexpr auto makeInt = make<IntProperty, int>;
 
 void connectBelow(Property* property, const std::function<void()>& changed)
 {

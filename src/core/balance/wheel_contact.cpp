@@ -96,15 +96,10 @@ WheelStatus WheelContact::touch(const WheelsetPose& pose)
 WheelStatus WheelContact::solveAt(const WheelsetPose& pose, OverlapGrids::Choice choice)
 {
   pose_ = pose;
-  switch (build(reach_, choice))
-  {
-    case OverlapGrids::Overlap::beside:
-      return none(WheelStatus::beside_rail);
-    case OverlapGrids::Overlap::none:
-      return none(WheelStatus::no_contact);
-    default:
-      return solve(NormalProblem::Control::approach, 0, choice);
-  }
+  const OverlapGrids::Overlap overlap = build(reach_, choice);
+  return overlap == OverlapGrids::Overlap::beside ? none(WheelStatus::beside_rail)
+         : overlap == OverlapGrids::Overlap::none ? none(WheelStatus::no_contact)
+                                                  : solve(NormalProblem::Control::approach, 0, choice);
 }
 
 double WheelContact::typicalOverlap(double load) const

@@ -114,8 +114,7 @@ class WheelsetSearch
   WheelsetState state_;
   WheelLoads loads_;
   bool warm_ = false, keeps_grids_ = false;
-  double start_roll_ = 0;
-  double z_ = 0;
+  double start_roll_ = 0, z_ = 0;
   Place place_;
   Sides<std::optional<Solved>> solved_;  ///< for this state
   Sides<double> open_{};

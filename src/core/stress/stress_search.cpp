@@ -117,12 +117,11 @@ HighestStresses StressSearch::find(double poisson)
       }
       best = top.measure == measure && (best == nullptr || top.peak.value > best->peak.value) ? &top : best;
     }
-    if (best == nullptr)
+    if (best != nullptr)
     {
-      continue;
+      (measure == vonMises ? highest.von_mises : highest.orthogonal) = best->peak;
+      highest.shear = measure == vonMises ? best->shear : highest.shear;
     }
-    (measure == vonMises ? highest.von_mises : highest.orthogonal) = best->peak;
-    highest.shear = measure == vonMises ? best->shear : highest.shear;
   }
   return {scaled(highest.von_mises), scaled(highest.shear), scaled(highest.orthogonal)};
 }

@@ -116,23 +116,6 @@ void ContactSearch::setRail(const PlacedRail& rail, bool reshaped)
   }
 }
 
-/// Shape of the rail along the track at a parameter of its profile [m], as heights.
-AlongShape ContactSearch::alongAt(double rail_u) const
-{
-  constexpr double steepest = 0.2;  // cosine: beside a steeper face, the shape ends within a contact
-  const CurvePoint point = rail_->profile().at(rail_u);
-  const PlanePoint seen = turned(rail_->place(point));
-  const AlongShape shape = rail_->along(point);
-  const double per_normal = 1 / std::max(seen.dy / std::sqrt(seen.dy * seen.dy + seen.dz * seen.dz), steepest);
-  return {per_normal * shape.slope, per_normal * shape.curvature};
-}
-
-/// Where a circle of the wheel touches a rail with this shape as heights. @param x0  of the locus on the circle [m]
-AlongTouch ContactSearch::touchOf(const AlongShape& shape, const CurvePoint& wheel, double x0) const
-{
-  return {shape, x0, wheel_->sections().radius - wheel.z};
-}
-
 /// Lowers points of the wheel by the lift of the rail beneath them: the rail is then a prism for the search.
 void ContactSearch::lowerWheel(std::size_t first, std::size_t end)
 {
@@ -298,8 +281,7 @@ std::pair<std::size_t, std::size_t> ContactSearch::neighbours(std::size_t k) con
 /// belongs to it in any case.
 std::pair<std::size_t, std::size_t> ContactSearch::belowAround(std::size_t k, double separation) const
 {
-  std::size_t first = k;
-  std::size_t last = k;
+  std::size_t first = k, last = k;
   while (first > 0 && separation_[first - 1] < separation && areOnePart(first - 1, first))
   {
     --first;

@@ -30,8 +30,7 @@ PlanePoint ContactSearch::turned(const PlanePoint& point) const
 /// @param u  parameter of the profile: initial guess; the result on return
 bool ContactSearch::wheelAt(double y, double& u, CurvePoint& point, SpacePoint& locus) const
 {
-  double step = 0;
-  double miss_before = 0;
+  double step = 0, miss_before = 0;
   for (int i = 0; i < newton_iterations; ++i)
   {
     point = wheel_->profile().at(u);
@@ -84,6 +83,23 @@ bool ContactSearch::exact(double rail_u, InitialContact& contact, double& slope_
   }
   contact.curvature = (wheel_point.curvature() - rail_point.curvature()) * length_squared * std::sqrt(length_squared);
   return std::isfinite(contact.separation) && std::isfinite(slope_difference);
+}
+
+/// Shape of the rail along the track at a parameter of its profile [m], as heights.
+AlongShape ContactSearch::alongAt(double rail_u) const
+{
+  constexpr double steepest = 0.2;  // cosine: beside a steeper face, the shape ends within a contact
+  const CurvePoint point = rail_->profile().at(rail_u);
+  const PlanePoint seen = turned(rail_->place(point));
+  const AlongShape shape = rail_->along(point);
+  const double per_normal = 1 / std::max(seen.dy / std::sqrt(seen.dy * seen.dy + seen.dz * seen.dz), steepest);
+  return {per_normal * shape.slope, per_normal * shape.curvature};
+}
+
+/// Where a circle of the wheel touches a rail with this shape as heights. @param x0  of the locus on the circle [m]
+AlongTouch ContactSearch::touchOf(const AlongShape& shape, const CurvePoint& wheel, double x0) const
+{
+  return {shape, x0, wheel_->sections().radius - wheel.z};
 }
 
 /// Change of the lift along y [-], with the place at which the wheel touches the prism.

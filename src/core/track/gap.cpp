@@ -141,13 +141,14 @@ class SurfaceGapBuilder
   bool fillGroup(int count, Eigen::ArrayXXd& gap, Eigen::ArrayXXd& slope, std::vector<SurfaceColumn>& columns)
   {
     const Numbers sum = fillRows(count, gap, slope);
-    if (rail_.changes())
-    {
-      subtractRail(count, columns, gap);
-    }
     bool found_any = false;
     for (int k = 0; k < count; ++k)
     {
+      const AlongShape& along = columns[static_cast<std::size_t>(column(k))].along;
+      for (int row = 0; rail_.changes() && row < grid_.rows(); ++row)
+      {
+        gap(row, column(k)) -= along.at(x_ + grid_.x(row));
+      }
       const bool found = std::isfinite(sum[k]);
       found_any = found_any || found;
       if (!found)
@@ -158,19 +159,6 @@ class SurfaceGapBuilder
       columns[static_cast<std::size_t>(column(k))].has_bodies = found;
     }
     return found_any;
-  }
-
-  /// Subtracts the shape of the rail along the track in the columns of the first `count` places of the group.
-  void subtractRail(int count, const std::vector<SurfaceColumn>& columns, Eigen::ArrayXXd& gap) const
-  {
-    for (int k = 0; k < count; ++k)
-    {
-      const AlongShape& along = columns[static_cast<std::size_t>(column(k))].along;
-      for (Eigen::Index row = 0; row < gap.rows(); ++row)
-      {
-        gap(row, column(k)) -= along.at(x_ + grid_.x(static_cast<int>(row)));
-      }
-    }
   }
 
   /// Evaluates each cell, from the middle of the columns to both of their ends. Returns the sum of the heights.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/evaluation/contact_statistics.h"
 
+#include <algorithm>
+#include <iterator>
 #include <numeric>
 
 #include "config/text.h"
@@ -30,76 +32,42 @@ std::uint64_t total(const Counts& counts)
 void summarize(const ContactStatistics& now, const ContactStatistics& before,
                diagnostic_updater::DiagnosticStatusWrapper& report)
 {
-  const std::uint64_t evaluated = now.evaluated() - before.evaluated();
-  const std::uint64_t unusable = evaluated - (now.usable() - before.usable());
-  const std::uint64_t errors = now.internal_errors - before.internal_errors;
-  const std::uint64_t dropped = now.dropped() - before.dropped();
-  const std::uint64_t unstamped = now.pairing[DropReason::unstamped] - before.pairing[DropReason::unstamped];
-  if (errors > 0)
+  using Count = std::uint64_t;
+  struct Finding
   {
-    report.summaryf(DiagnosticStatus::ERROR, "internal error: %s", now.last_reason.c_str());
-  }
-  else if (evaluated > 0 && unusable == evaluated)
-  {
-    report.summaryf(DiagnosticStatus::ERROR, "no usable result: %s", now.last_reason.c_str());
-  }
-  else if (unusable > 0)
-  {
-    report.summaryf(DiagnosticStatus::WARN, "%lu of %lu results not usable: %s", unusable, evaluated,
-                    now.last_reason.c_str());
-  }
-  else if (evaluated > 0 && !now.load_doubt.empty())
-  {
-    report.summary(DiagnosticStatus::WARN, now.load_doubt);
-  }
-  else if (now.implausible_force > before.implausible_force)
-  {
-    report.summaryf(DiagnosticStatus::WARN, "%lu of %lu results with an implausible wheel force: %s",
-                    now.implausible_force - before.implausible_force, evaluated, now.last_reason.c_str());
-  }
-  else if (unstamped > 0)
-  {
-    report.summaryf(DiagnosticStatus::WARN, "%lu messages dropped: their stamp is 0, which means unknown", unstamped);
-  }
-  else if (dropped > 0)
-  {
-    report.summaryf(DiagnosticStatus::WARN, "%lu inputs dropped", dropped);
-  }
-  else if (evaluated == 0 && now.pairing.received > before.pairing.received)
-  {
-    report.summary(DiagnosticStatus::WARN, "no inputs with matching stamps");
-  }
-  else if (now.lacking_neighbour > before.lacking_neighbour)
-  {
-    report.summaryf(DiagnosticStatus::WARN, "%lu of %lu results lack a neighbour's forces",
-                    now.lacking_neighbour - before.lacking_neighbour, evaluated);
-  }
-  else if (now.beyond_linear_range > before.beyond_linear_range)
-  {
-    report.summary(DiagnosticStatus::WARN, now.last_beyond_linear_range);
-  }
-  else if (now.above_tolerance > before.above_tolerance)
-  {
-    report.summaryf(DiagnosticStatus::WARN, "%lu of %lu results with an error estimate above contact/tolerance",
-                    now.above_tolerance - before.above_tolerance, evaluated);
-  }
-  else if (evaluated > 0)
-  {
-    report.summaryf(DiagnosticStatus::OK, "%lu results", evaluated);
-  }
-  else
-  {
-    report.summary(DiagnosticStatus::OK, "no input");
-  }
-}
-
-void addTimes(const ContactStatistics& now, const ContactStatistics& before,
-              diagnostic_updater::DiagnosticStatusWrapper& report)
-{
-  const std::uint64_t evaluated = now.evaluated() - before.evaluated();
-  const double sum = now.solve_time_sum - before.solve_time_sum;
-  report.addf("solve time, mean [ms]", "%.3f", evaluated > 0 ? 1e3 * sum / static_cast<double>(evaluated) : 0.0);
-  report.addf("solve time, max [ms]", "%.3f", 1e3 * now.solve_time_max);
+    bool is_true;
+    unsigned char level;
+    std::string text;
+  };
+  const Count evaluated = now.evaluated() - before.evaluated();
+  const Count unusable = evaluated - (now.usable() - before.usable());
+  const Count dropped = now.dropped() - before.dropped();
+  const Count unstamped = now.pairing[DropReason::unstamped] - before.pairing[DropReason::unstamped];
+  const auto since = [&](Count ContactStatistics::*count) { return now.*count - before.*count; };
+  const auto part = [&](Count count)
+  { return std::to_string(count) + " of " + std::to_string(evaluated) + " results "; };
+  const auto warning = [&](Count ContactStatistics::*count, const std::string& text) -> Finding {
+    return {since(count) > 0, DiagnosticStatus::WARN, part(since(count)) + text};
+  };
+  const Finding findings[] = {
+      {since(&ContactStatistics::internal_errors) > 0, DiagnosticStatus::ERROR, "internal error: " + now.last_reason},
+      {evaluated > 0 && unusable == evaluated, DiagnosticStatus::ERROR, "no usable result: " + now.last_reason},
+      {unusable > 0, DiagnosticStatus::WARN, part(unusable) + "not usable: " + now.last_reason},
+      {evaluated > 0 && !now.load_doubt.empty(), DiagnosticStatus::WARN, now.load_doubt},
+      warning(&ContactStatistics::implausible_force, "with an implausible wheel force: " + now.last_reason),
+      {unstamped > 0, DiagnosticStatus::WARN,
+       std::to_string(unstamped) + " messages dropped: their stamp is 0, which means unknown"},
+      {dropped > 0, DiagnosticStatus::WARN, std::to_string(dropped) + " inputs dropped"},
+      {evaluated == 0 && now.pairing.received > before.pairing.received, DiagnosticStatus::WARN,
+       "no inputs with matching stamps"},
+      warning(&ContactStatistics::lacking_neighbour, "lack a neighbour's forces"),
+      {since(&ContactStatistics::beyond_linear_range) > 0, DiagnosticStatus::WARN, now.last_beyond_linear_range},
+      warning(&ContactStatistics::above_tolerance, "with an error estimate above contact/tolerance"),
+      {evaluated > 0, DiagnosticStatus::OK, std::to_string(evaluated) + " results"},
+      {true, DiagnosticStatus::OK, "no input"}};
+  const Finding& first =
+      *std::find_if(std::begin(findings), std::end(findings), [](const Finding& finding) { return finding.is_true; });
+  report.summary(first.level, first.text);
 }
 }  // namespace
 
@@ -202,7 +170,10 @@ void diagnose(const ContactStatistics& now, const ContactStatistics& before,
   report.add("service requests failed: internal error", now.services.failed);
   report.add("contact messages built", now.messages_built);
   report.add("marker arrays built", now.marker_arrays_built);
-  addTimes(now, before, report);
+  const std::uint64_t evaluated = now.evaluated() - before.evaluated();
+  const double sum = now.solve_time_sum - before.solve_time_sum;
+  report.addf("solve time, mean [ms]", "%.3f", evaluated > 0 ? 1e3 * sum / static_cast<double>(evaluated) : 0.0);
+  report.addf("solve time, max [ms]", "%.3f", 1e3 * now.solve_time_max);
   report.add("last reason", now.last_reason);
 }
 }  // namespace wheel_rail_contact

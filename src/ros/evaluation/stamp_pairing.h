@@ -85,7 +85,10 @@ class StampPairing
     merge(true);
     for (std::size_t i = 0; i < queues_.channels().size(); ++i)
     {
-      queues_.dropAll(queues_.channels()[i], i < matched_ ? DropReason::unmatched : DropReason::unneeded);
+      while (!isEmpty(queues_.channels()[i]))
+      {
+        queues_.drop(queues_.channels()[i], i < matched_ ? DropReason::unmatched : DropReason::unneeded);
+      }
     }
   }
 
@@ -134,7 +137,12 @@ class StampPairing
       const Verdict verdict = compareAll();
       if (verdict.dropped != nullptr)
       {
-        drop(verdict);
+        Queue& queue = verdict.dropped->waiting;
+        if (verdict.is_displaced)
+        {
+          queue[1].previous = queue[0].previous;
+        }
+        queues_.drop(*verdict.dropped, verdict.reason);
       }
       else if (verdict.waits || !mayTakeSet(ended, sets))
       {
@@ -249,16 +257,6 @@ class StampPairing
     return {reached == end ? nullptr : &upper, DropReason::time_jump, true, true};
   }
 
-  void drop(const Verdict& verdict)
-  {
-    Queue& queue = verdict.dropped->waiting;
-    if (verdict.is_displaced)
-    {
-      queue[1].previous = queue[0].previous;
-    }
-    queues_.drop(*verdict.dropped, verdict.reason);
-  }
-
   /// Takes the set of the next samples, or drops them if they are not enclosed. @return false if they must wait
   bool mayTakeSet(bool ended, std::vector<Set>& sets)
   {
@@ -339,8 +337,10 @@ class StampPairing
     std::vector<Channel>& channels = queues_.channels();
     const std::int64_t stamp = channels.front().waiting.front().stamp;
     queues_.forgetSteps();
-    std::for_each(channels.begin(), channels.begin() + static_cast<std::ptrdiff_t>(matched_),
-                  [&](Channel& channel) { set.push_back(queues_.take(channel)); });
+    for (std::size_t i = 0; i < matched_; ++i)
+    {
+      set.push_back(queues_.take(channels[i]));
+    }
     if (isEnclosing())
     {
       Queue& queue = channels.back().waiting;

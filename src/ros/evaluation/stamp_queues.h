@@ -181,15 +181,6 @@ class StampQueues
     removeFirst(channel);
   }
 
-  /// Drops all samples of a channel, in the same way.
-  void dropAll(Channel& channel, DropReason reason)
-  {
-    while (!channel.waiting.empty())
-    {
-      drop(channel, reason);
-    }
-  }
-
   /// Begins to count the visits again.
   void forgetSteps()
   {

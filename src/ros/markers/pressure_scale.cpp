@@ -47,19 +47,10 @@ double PressureScale::update(const ros::Time& stamp, double highest)
 
 double highestPressure(const ContactOutput& output, const std::vector<core::Side>& sides)
 {
-  double highest = 0;
-  if (output.result)
-  {
-    for (const core::PatchResult& patch : output.result->patches)
-    {
-      if (std::find(sides.begin(), sides.end(), patch.side) != sides.end())
-      {
-        const double cells = patch.pressure.size() > 0 ? patch.pressure.maxCoeff() : 0.0;
-        highest = std::max({highest, patch.max_pressure, cells});
-      }
-    }
-  }
-  return highest;
+  return highestOf(output, sides,
+                   [](const core::PatchResult& patch) {
+                     return std::max(patch.max_pressure, patch.pressure.size() > 0 ? patch.pressure.maxCoeff() : 0.0);
+                   });
 }
 
 namespace

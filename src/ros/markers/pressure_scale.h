@@ -4,6 +4,7 @@
 #include <ros/time.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,20 @@ class PressureScale
   double upper_ = 0;         ///< current upper end [Pa]; 0: no pressure so far
   ros::Time needed_, last_;  ///< last results that needed the current upper end, and last result
 };
+
+/// Highest value of the patches of these sides; 0 without patches.
+template <typename Value>
+double highestOf(const ContactOutput& output, const std::vector<core::Side>& sides, const Value& value)
+{
+  double highest = 0;
+  for (std::size_t i = 0; output.result && i < output.result->patches.size(); ++i)
+  {
+    const core::PatchResult& patch = output.result->patches[i];
+    const bool is_drawn = std::find(sides.begin(), sides.end(), patch.side) != sides.end();
+    highest = is_drawn ? std::max(highest, value(patch)) : highest;
+  }
+  return highest;
+}
 
 /// Highest pressure of the patches of these sides [Pa]: that of the result or of its cells, whichever is higher; 0
 /// without patches.

@@ -223,19 +223,12 @@ void addStressSections(const std::vector<PatchPicture>& pictures, const PatchSty
 
 double highestStress(const ContactOutput& output, const std::vector<core::Side>& sides)
 {
-  double highest = 0;
-  if (output.result)
+  const auto highest = [](const core::PatchResult& patch)
   {
-    for (const core::PatchResult& patch : output.result->patches)
-    {
-      const bool has_field = hasField(patch.rail_stress) || hasField(patch.wheel_stress);
-      if (has_field && std::find(sides.begin(), sides.end(), patch.side) != sides.end())
-      {
-        const int row = rowOf(patch);
-        highest = std::max({highest, highestOf(patch.rail_stress, row), highestOf(patch.wheel_stress, row)});
-      }
-    }
-  }
-  return highest;
+    const bool has_field = hasField(patch.rail_stress) || hasField(patch.wheel_stress);
+    const int row = has_field ? rowOf(patch) : 0;
+    return has_field ? std::max(highestOf(patch.rail_stress, row), highestOf(patch.wheel_stress, row)) : 0;
+  };
+  return highestOf(output, sides, highest);
 }
 }  // namespace wheel_rail_contact

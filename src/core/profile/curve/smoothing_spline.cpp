@@ -146,8 +146,7 @@ class PenalisedFit
   void fitCounted(double target)
   {
     // Logarithms of a negligible and of a dominant penalty. The deviation increases with the penalty.
-    double low = -15.0;
-    double high = 25.0;
+    double low = -15.0, high = 25.0;
     for (int halving = 0; halving < 30; ++halving)
     {
       const double middle = 0.5 * (low + high);
@@ -257,8 +256,7 @@ class PenalisedFit
       }
       ++count;
       const Sample& sample = samples_[i];
-      double dy = -sample.point.y;
-      double dz = -sample.point.z;
+      double dy = -sample.point.y, dz = -sample.point.z;
       for (std::size_t a = 0; a < cover; ++a)
       {
         dy += sample.basis[a] * y_[sample.interval + a];

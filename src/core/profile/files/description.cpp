@@ -78,12 +78,11 @@ std::string reportText(const Profile& profile, const ProfileReport& report)
   text << (report.smoothing > 0 ? ", smoothed for " + micrometres(report.smoothing) : ", not smoothed");
   for (const MissingRange& range : missingRanges(profile))
   {
-    if (range.length > steep * std::abs(range.y_last - range.y_first))
+    if (!(range.length > steep * std::abs(range.y_last - range.y_first)))
     {
-      continue;
+      text << ", points missing over " << millimetres(range.length) << " from y = " << millimetres(range.y_first)
+           << " to " << millimetres(range.y_last);
     }
-    text << ", points missing over " << millimetres(range.length) << " from y = " << millimetres(range.y_first)
-         << " to " << millimetres(range.y_last);
   }
   if (!report.remark.empty())
   {

@@ -43,14 +43,10 @@ std::size_t firstPoint(TextFile& file)
   std::size_t first = 0, rows = 0, first_row = 0;
   while (file.next() && rows < least_block)
   {
-    if (pointText(file.line()).empty())
-    {
-      continue;
-    }
-    const bool is_row = numbersIn(file.line()) > 1;
+    const bool is_empty = pointText(file.line()).empty(), is_row = numbersIn(file.line()) > 1;
     first = is_row && rows == 0 ? file.number() : first;
     first_row = is_row && first_row == 0 ? file.number() : first_row;
-    rows = is_row ? rows + 1 : 0;
+    rows = is_empty ? rows : is_row ? rows + 1 : 0;
   }
   file.rewind();
   return rows < least_block ? first_row : first;

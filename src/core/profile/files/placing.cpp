@@ -27,17 +27,11 @@ double topOf(const Points& points)
   return std::max_element(points.begin(), points.end(), isLower)->z;
 }
 
-/// Depth down to which both sides of the head are there, at most gauge_depth.
-double commonDepth(const Points& points)
-{
-  const double top = topOf(points);
-  return std::min({gauge_depth, top - points.front().z, top - points.back().z});
-}
-
-/// y of the middle of the head; nothing if one of its sides is not there.
+/// y of the middle of the head, down to the depth at which both sides are there; nothing if one of its sides is not.
 std::optional<double> middleOf(const Points& points)
 {
-  const double depth = commonDepth(points);
+  const double top = topOf(points);
+  const double depth = std::min({gauge_depth, top - points.front().z, top - points.back().z});
   if (depth < least_side_depth)
   {
     return std::nullopt;
