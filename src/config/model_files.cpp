@@ -138,11 +138,10 @@ class ProfileFiles
     const double more = std::max(std::abs(added.left), std::abs(added.right));
     if (stored && (*stored < -least || (*stored > least && more > least)))
     {
-      config_.warnings.push_back(
-          file.parameter + " = " + file.value +
-          formatted(": the file looks inclined by 1:%.3g%s; rail_inclination adds %.3g rad (1:%.3g)",
-                    1 / std::tan(std::abs(*stored)), *stored < 0 ? " to the field side" : "", more,
-                    1 / std::tan(more)));
+      config_.warnings.push_back(file.parameter + " = " + file.value +
+                                 formatted(": the file looks inclined by 1:%.3g%s; rail_inclination adds %.3g rad",
+                                           1 / std::tan(std::abs(*stored)), *stored < 0 ? " to the field side" : "",
+                                           more));
     }
   }
 

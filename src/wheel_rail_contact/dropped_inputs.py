@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Inputs that a contact node has dropped, from its diagnostics."""
+import time
+
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray
 
@@ -23,9 +25,9 @@ class DroppedInputs:
     def text(self):
         """One line, after the next report of the node; empty if it has dropped nothing or does not report."""
         self.report = None
-        end = rospy.get_time() + 2 * PERIOD
-        while self.report is None and rospy.get_time() < end and not rospy.is_shutdown():
-            rospy.rostime.wallsleep(0.05)
+        end = time.monotonic() + 2 * PERIOD
+        while self.report is None and time.monotonic() < end and not rospy.is_shutdown():
+            time.sleep(0.05)
         counts = [f"{value} ({key.partition(': ')[2]})" for key, value in (self.report or {}).items()
                   if "s dropped: " in key and value != "0" and UNNEEDED not in key]
         return f"{self.node} has dropped inputs since its start: {', '.join(counts)}" if counts else ""

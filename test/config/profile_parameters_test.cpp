@@ -63,9 +63,8 @@ TEST_F(ProfileParameters, WarnOfARailThatIsInclinedTwice)
   const std::string rail = "rail: {profile: {file: inclined.txt, unit: m, y: outward, z: up}}";
   const NodeConfig config = read(with(rail));
   ASSERT_EQ(config.warnings.size(), 1U);
-  EXPECT_EQ(
-      config.warnings[0],
-      "rail/profile/file = inclined.txt: the file looks inclined by 1:40; rail_inclination adds 0.025 rad (1:40)");
+  EXPECT_EQ(config.warnings[0],
+            "rail/profile/file = inclined.txt: the file looks inclined by 1:40; rail_inclination adds 0.025 rad");
   EXPECT_EQ(config.remarks().back(), "warning: " + config.warnings[0]);
   EXPECT_TRUE(read(with("{track: {rail_inclination: 0}, " + rail + "}")).warnings.empty());
 }

@@ -17,7 +17,7 @@ TEST(LengthParameters, MillimetresAreRefusedWithTheRangeInMetres)
 
 TEST(LengthParameters, DimensionsOfNarrowAndBroadGaugeAreAccepted)
 {
-  for (const char* yaml : {"{track: {gauge: 0.6}, wheelset: {flange_back_distance: 0.53, rolling_radius: 0.28}}",
+  for (const char* yaml : {"{track: {gauge: 0.6}, wheelset: {flange_back_distance: 0.53, rolling_radius: 0.15}}",
                            "{track: {gauge: 1.676}, wheelset: {flange_back_distance: 1.6, rolling_radius: 0.7}}"})
   {
     EXPECT_EQ(refusal(with(yaml)), "accepted");

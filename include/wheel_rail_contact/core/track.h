@@ -147,7 +147,7 @@ struct WheelsetConfig
 };
 
 /// Scale of a model of a vehicle on its track [-]: the larger of rolling radius / 0.46 m and gauge / 1.435 m. 1 if this
-/// is above 0.6, because trams and vehicles of narrow gauges have profiles of full size. Limits of lengths scale with
+/// is above 0.4, because trams and vehicles of narrow gauges have profiles of full size. Limits of lengths scale with
 /// it, those of forces with its square.
 double modelScale(const TrackConfig& track, const WheelsetConfig& wheelset);
 

@@ -112,7 +112,9 @@ void ContactSearch::setRail(const PlacedRail& rail, bool reshaped)
   for (std::size_t k = 0; rail.changes() && k < stations_.count + along_stations; k += along_stations)
   {
     const std::size_t last = std::min(k, stations_.count - 1);
-    along_.push_back(rail_outline_.z(last) > -infinity ? alongAt(rail_outline_.u(last)) : AlongShape());
+    const bool is_on_rail = rail_outline_.z(last) > -infinity;
+    const AlongShape beside = along_.empty() ? AlongShape() : along_.back();  // beside an edge, as on the edge
+    along_.push_back(is_on_rail ? alongAt(rail_outline_.u(last)) : beside);
   }
 }
 

@@ -16,10 +16,13 @@ namespace
 {
 constexpr std::size_t largest_file = std::size_t{256} << 20U;  ///< of a line of some thousand kilometres [bytes]
 constexpr std::size_t longest_row = 100000;                    ///< [bytes]
+constexpr std::size_t most_stations = 2000000;                 ///< 500 km every 0.25 m; about 1 GB while it is read
+constexpr std::size_t longest_word = 100;                      ///< of a title or a filler
 constexpr double largest_value = 0.2;  ///< of a displacement, or a difference from the nominal gauge [m], [rad]
 /// Largest change between two stations: slope [-], and change of any two [share of the gauge], far above those of real
 /// track (1:20 on the worst one, steps of a millimetre). A larger one is a filler for a missing value, or a fault.
 constexpr double steepest = 0.1, step_share = 0.003;
+constexpr double least_filler = 0.005;  ///< change to a value of nines from which it is a filler [m], [rad]
 
 /// Quantities of a table.
 enum Quantity
@@ -80,7 +83,7 @@ struct Row
 std::string keyOf(const std::string& name)
 {
   static const std::regex gaps("[\\s._-]+"), place("s|distance|station|chainage|mileage"), cross("crosslevel");
-  const std::string key = std::regex_replace(lowerCase(name), gaps, "_");
+  const std::string key = std::regex_replace(lowerCase(name.substr(0, longest_word)), gaps, "_");
   return std::regex_match(key, place) ? "x" : std::regex_match(key, cross) ? "cross_level" : key;
 }
 
@@ -121,8 +124,11 @@ class LineFile
         std::optional<double>& value = row.value[used.quantity];
         const double number = file_.numberIn(withPoint(cells.cells[used.index]), rules[used.quantity].name);
         value = value.value_or(0) + number * used.factor;
-        row.nines[used.quantity] = std::regex_match(cells.cells[used.index], nines);
+        const std::string& cell = cells.cells[used.index];
+        row.nines[used.quantity] = cell.size() <= longest_word && std::regex_match(cell, nines);
       }
+      file_.refuseIf(rows.size() == most_stations, row.line,
+                     formatted("more than %zu stations: divide it", most_stations));
       rows.push_back(row);
     }
     file_.refuseIf(2 * dropped_ > count, first_dropped_, formatted("%zu of %zu rows lack a value", dropped_, count));
@@ -305,8 +311,9 @@ void checkValues(const std::vector<Row>& rows, double nominal_gauge, const TextF
     {
       const double value = row.value[column].value_or(0), change = value - before.value[column].value_or(0);
       const bool is_large = std::abs(value) > largest_value;
-      const bool is_filler = (row.nines[column] && std::abs(change) > 0.5 * std::abs(value)) ||
-                             (before.nines[column] && std::abs(change) > 0.5 * std::abs(change - value));
+      const bool is_filler = std::abs(change) > least_filler &&
+                             ((row.nines[column] && std::abs(change) > 0.5 * std::abs(value)) ||
+                              (before.nines[column] && std::abs(change) > 0.5 * std::abs(change - value)));
       if (is_large || is_filler || std::abs(change) > steepest * distance + step_share * nominal_gauge)
       {
         file.refuse(row.line, formatted("column '%s': %s %.4g %s%s: another unit, or a filler for a missing value, "

@@ -15,16 +15,18 @@ constexpr double farthest = 0.03;       ///< of the places at which a rail may t
 constexpr double scan_step = 2e-3;      ///< of these places [m]
 constexpr double smooth_within = 3e-6;  ///< difference of the lift of the wheel from that by the second order [m]
 
-/// Highest place of a rail for a wheel above it.
+/// Highest place of a rail for a wheel above it, and whether the second order gives as high a one.
 class Highest
 {
  public:
-  explicit Highest(double radius) : radius_(radius) {}
+  Highest(double radius, const AlongShape& second_order) : radius_(radius), second_order_(second_order) {}
 
   /// Adds the height at a place, over the rail beneath the axle [m].
   void add(double x, double height)
   {
-    if (const double lift = height - 0.5 * x * x / radius_; lift > lift_)
+    const double fall = 0.5 * x * x / radius_;
+    smooth_lift_ = std::max(smooth_lift_, second_order_.at(x) - fall);
+    if (const double lift = height - fall; lift > lift_)
     {
       x_ = x;
       lift_ = lift;
@@ -33,8 +35,7 @@ class Highest
   /// Replaces the second order by a line that lifts the wheel at this place, where both differ.
   void placeWhereRough(RailCourse& course) const
   {
-    const AlongShape shape{course.slope.vertical, course.motion.bend.vertical};
-    if (std::abs(AlongTouch(shape, 0, radius_).lift - lift_) > smooth_within)
+    if (std::abs(smooth_lift_ - lift_) > smooth_within)
     {
       course.smooth = false;
       course.motion.slope.vertical = x_ / radius_;
@@ -45,7 +46,9 @@ class Highest
 
  private:
   double radius_;
+  AlongShape second_order_;
   double x_ = 0, lift_ = 0;  ///< without others, the place beneath the axle
+  double smooth_lift_ = 0;   ///< by the second order, at the same places [m]
 };
 
 /// Mean of two positions of a rail with the same angle; share 0: the first one.
@@ -147,9 +150,16 @@ Sides<RailCourse> coursesAt(const TrackLine& line, double distance, const Sides<
     return RailCourse{slopes, {slopes, bends}};
   };
   Sides<RailCourse> courses(course);
-  Sides<Highest> highest([&](Side side) { return Highest(radius[side]); });
+  const auto highestOf = [&](Side side) {
+    return Highest(radius[side], {courses[side].slope.vertical, courses[side].motion.bend.vertical});
+  };
+  Sides<Highest> highest(highestOf);
   for (double way = -farthest; way < farthest + 0.5 * scan_step; way += scan_step)
   {
+    if (distance + way < line.begin() || distance + way > line.end())
+    {
+      continue;
+    }
     const Sides<RailDeflection> there = displaced(distance + way);
     for (const Side side : sides)
     {

@@ -135,7 +135,7 @@ double TransformStore::interpolationError(const std::string& to, const std::stri
       {
         const std::set<ros::Time>& times = frame->second.times;
         const auto next = times.lower_bound(stamp);
-        if (next != times.end() && *next != stamp && std::distance(times.begin(), next) > 1)
+        if (next != times.end() && *next != stamp && next != times.begin() && std::prev(next) != times.begin())
         {
           neighbours.push_back({*std::prev(next, 2), *std::prev(next), *next});
         }

@@ -68,7 +68,7 @@ class Limits:
     results: int = 1              # minimum number of results
     refusals: int = 0             # maximum number of results that are not usable
     lift_offs: int = 0            # maximum number of results in which a wheel carries no load
-    least_load: float = 1e3       # smallest mean wheel load; a smaller one is in another unit than N, or has the wrong sign [N]
+    least_load: float = 1e3       # smallest mean wheel load with wheels of 0.46 m; it scales with their squared radius [N]
     implausible_forces: int = 0   # maximum number of usable results with an implausible contact force (implausible_force)
     flange_contact: bool = True   # False: a contact angle of flange_angle or more, of either sign, is a violation
     flange_angle: float = 0.7     # contact angle from which a patch counts as flange contact [rad]
@@ -145,6 +145,9 @@ def _too_few(limits, results):
 
 
 def _too_light(least, results):
+    """A mean wheel load in another unit than N, or with the wrong sign."""
+    height = sum(r.wheelset.position.z for r in results) / max(len(results), 1)
+    least *= min(1.0, height / 0.46)**2
     mean = sum(r.left_wheel.vertical_force + r.right_wheel.vertical_force for r in results) / max(2 * len(results), 1)
     return "" if not results or mean >= least else (f"the mean wheel load is {mean:.4g} N, at least {least:g} N are required; "
                                                     "loads must be in N, and force.z negative")

@@ -121,6 +121,7 @@ double largestStep(const ContactModelConfig& config, int states, const std::func
   return largest;
 }
 
+/// Of the lateral force in sweeps: far below the error of FASTSIM (10 % of the friction limit) [N].
 constexpr double greatest_step = 2e-3 * load;
 
 TEST(Friction, MakesNoStepWherePatchesJoin)

@@ -45,7 +45,7 @@ TEST(TrackFit, DimensionsThatContradictAreRefusedOrNamed)
                              }),
                          "is 70 mm from its running circle"));
   }
-  EXPECT_TRUE(contains(fitAfter([](Config& c) { c.wheelset.rolling_radius = 0.92; }), "is it the diameter?"));
+  EXPECT_TRUE(contains(fitAfter([](Config& c) { c.wheelset.rolling_radius = 0.92; }), "is it the diameter"));
 }
 
 // A model is the original made smaller: the same pressures, if its loads are smaller by the square of its scale.

@@ -224,10 +224,14 @@ TEST_F(LineFileTest, NothingIsKnownAcrossAGap)
   EXPECT_DOUBLE_EQ(before.at(4.875).cross_level, 1.5e-3);
 }
 
-// A cant of 99.9 mm is a filler only beside other values.
-TEST_F(LineFileTest, CantThatRisesThroughNinesIsNoFiller)
+// A cant of 99.9 mm is a filler only beside other values; a roughness of 99.9 um, and 999.9 mm on the metre gauge,
+// never.
+TEST_F(LineFileTest, NinesAmongTheirLikeAreNoFiller)
 {
   EXPECT_NEAR(read("x [m],cross_level [mm]\n0,99.7\n1,99.9\n2,100.1\n").at(1).cross_level, 0.0999, 1e-16);
+  EXPECT_NEAR(read("x [m],level [um]\n0,40.1\n1,99.9\n2,12\n").at(1).rail.left.vertical, 99.9e-6, 1e-16);
+  const std::string metre_gauge = folder_.write("line.csv", "x [m],gauge [mm]\n0,1000.2\n1,999.9\n2,1000.1\n");
+  EXPECT_NEAR(readTrackLine(metre_gauge, 1).at(1).rail.left.lateral, -0.05e-3, 1e-15);
 }
 
 TEST_F(LineFileTest, FilesThatCannotBeReadAreRefused)
