@@ -2,7 +2,6 @@
 #include <Eigen/Cholesky>
 
 #include "../../seeded.h"
-#include "core/constants.h"
 #include "core/normal/solvers/contact_tangent.h"
 #include "dense_active_set.h"
 
@@ -11,14 +10,9 @@ namespace wheel_rail_contact::core
 // Patches whose columns have normals of their own, as on a curved surface.
 namespace
 {
-constexpr double strict_residual = 1e-9;
-constexpr unsigned column_seed = 7;
+using problems::solvedCurved;
 
-NormalSolution solved(const CurvedProblem& problem, NormalSolution solution = {}, bool warm = false)
-{
-  problems::solverTo(strict_residual).solveCurved(problem, warm, solution);
-  return solution;
-}
+constexpr unsigned column_seed = 7;
 
 /// Normals that turn by up to 1 rad over a patch, and the weights of a vertical load.
 void turnColumns(std::mt19937_64& random, CurvedProblem& problem, std::size_t patch = 0)
@@ -63,11 +57,11 @@ TEST(ColumnFields, WeightsAndTurnedNormalsGiveTheExactSolution)
     {
       problem.normals[0].weight.resize(0);
     }
-    const NormalSolution solution = solved(problem);
+    const NormalSolution solution = solvedCurved(problem);
     expectEqual(problem, solution);
     problem.control = NormalProblem::Control::approach;
     problem.value = solution.approach;
-    expectEqual(problem, solved(problem));
+    expectEqual(problem, solvedCurved(problem));
   }
 }
 
@@ -75,12 +69,12 @@ TEST(ColumnFields, ColumnsWithEqualNormalsAreOnePlane)
 {
   Seeded64 random(column_seed);
   CurvedProblem problem = problems::curved(problems::randomProblem(random, 1));
-  const NormalSolution plane = solved(problem);
+  const NormalSolution plane = solvedCurved(problem);
   PatchGap& patch = problem.patches[0];
   problem.normals[0].turn = Eigen::ArrayXd::Constant(patch.grid.ny, 0.3);
   problem.normals[0].weight = Eigen::ArrayXd::Constant(patch.grid.ny, 0.8);
   patch.weight /= 0.8;
-  const NormalSolution turned = solved(problem);
+  const NormalSolution turned = solvedCurved(problem);
   EXPECT_NEAR(turned.approach / plane.approach, 1, 1e-8);
   EXPECT_LT((turned.patches[0].pressure - plane.patches[0].pressure).abs().maxCoeff(),
             1e-5 * plane.patches[0].max_pressure);
@@ -90,12 +84,12 @@ TEST(ColumnFields, LoadIsTheWeightedSumOfTheForcesOfTheColumns)
 {
   Seeded64 random(column_seed);
   CurvedProblem problem = problems::curved(problems::randomProblem(random, 1));
-  const NormalSolution first = solved(problem);
+  const NormalSolution first = solvedCurved(problem);
   problem.control = NormalProblem::Control::load;
   problem.value = problem.patches[0].weight * first.patches[0].force;
   PatchGap& patch = problem.patches[0];
   turnColumns(random, problem);
-  const NormalSolution solution = solved(problem);
+  const NormalSolution solution = solvedCurved(problem);
   const Eigen::ArrayXd columns = solution.patches[0].pressure.colwise().sum() * patch.grid.cellArea();
   EXPECT_NEAR(patch.weight * (columns * problem.normals[0].weight).sum() / problem.value, 1, 1e-9);
 }
@@ -105,8 +99,8 @@ TEST(ColumnFields, AWarmStartGivesTheSameSolutionWithAtMostTwoProducts)
   Seeded64 random(column_seed);
   CurvedProblem problem = problems::curved(problems::randomProblem(random, 1));
   turnColumns(random, problem);
-  const NormalSolution cold = solved(problem);
-  const NormalSolution warm = solved(problem, cold, true);
+  const NormalSolution cold = solvedCurved(problem);
+  const NormalSolution warm = solvedCurved(problem, cold, true);
   EXPECT_LE(warm.iterations, 2);
   EXPECT_LT((warm.patches[0].pressure - cold.patches[0].pressure).abs().maxCoeff(),
             1e-6 * cold.patches[0].max_pressure);
@@ -117,11 +111,11 @@ TEST(ColumnFields, AWarmStartFromThePlanePatchGivesTheTurnedSolution)
 {
   Seeded64 random(column_seed);
   CurvedProblem problem = problems::curved(problems::randomProblem(random, 1));
-  const NormalSolution plane = solved(problem);
+  const NormalSolution plane = solvedCurved(problem);
   turnColumns(random, problem);
   problem.normals[0].weight.resize(0);
-  const NormalSolution cold = solved(problem);
-  const NormalSolution warm = solved(problem, plane, true);
+  const NormalSolution cold = solvedCurved(problem);
+  const NormalSolution warm = solvedCurved(problem, plane, true);
   EXPECT_GT(std::abs(cold.approach / plane.approach - 1) + std::abs(cold.patches[0].force / plane.patches[0].force - 1),
             1e-5);
   EXPECT_NEAR(warm.approach / cold.approach, 1, 1e-8);
@@ -134,11 +128,11 @@ TEST(ColumnFields, WeightsOfAnotherNumberOfColumnsAreRefused)
   Seeded64 random(column_seed);
   CurvedProblem problem = problems::curved(problems::randomProblem(random, 1));
   problem.normals[0].weight = Eigen::ArrayXd::Ones(1);
-  EXPECT_EQ(solved(problem).status, SolveStatus::invalid_problem);
+  EXPECT_EQ(solvedCurved(problem).status, SolveStatus::invalid_problem);
   problem.normals[0].weight = Eigen::ArrayXd::Constant(problem.patches[0].grid.ny, -1);
-  EXPECT_EQ(solved(problem).status, SolveStatus::invalid_problem);
+  EXPECT_EQ(solvedCurved(problem).status, SolveStatus::invalid_problem);
   problem.normals.resize(2);
-  EXPECT_EQ(solved(problem).status, SolveStatus::invalid_problem);
+  EXPECT_EQ(solvedCurved(problem).status, SolveStatus::invalid_problem);
 }
 
 // Hertz, Kik-Piotrowski and Seidel solve the problem with one normal for each patch, and state this.
@@ -223,7 +217,7 @@ TEST(ContactTangent, AgreesWithAFactorisationOfTheMatrix)
       problem.normals[0].turn = Eigen::ArrayXd::LinSpaced(problem.patches[0].grid.ny, -0.5, 0.4);
       problem.normals[0].weight = problem.normals[0].turn.cos();
     }
-    const NormalSolution solution = solved(problem);
+    const NormalSolution solution = solvedCurved(problem);
     const Eigen::ArrayXXd openings = openingsOf(problem);
     const Eigen::MatrixXd exact = denseStiffness(problem, solution, openings);
     const Eigen::MatrixXd found = ContactTangent(1e-8).stiffness(problem, solution, {openings});
@@ -241,7 +235,7 @@ TEST(ContactTangent, OfAHertzContactIsThreeHalvesOfTheSecantStiffness)
 {
   const problems::HertzCase hertz = problems::hertzCase(1.5, 48, 48, true);
   const CurvedProblem problem = problems::curved(hertz.problem);
-  const NormalSolution solution = solved(problem);
+  const NormalSolution solution = solvedCurved(problem);
   ContactTangent tangent;
   const Eigen::MatrixXd stiffness =
       tangent.stiffness(problem, solution, {Eigen::ArrayXXd::Ones(problem.patches[0].grid.ny, 1)});
@@ -253,7 +247,7 @@ TEST(ContactTangent, OfTwoPatchesIsTheSumOfBoth)
 {
   Seeded64 random(seed);
   const CurvedProblem both = problems::curved(problems::randomProblem(random, 2));
-  const NormalSolution solution = solved(both);
+  const NormalSolution solution = solvedCurved(both);
   std::vector<Eigen::ArrayXXd> openings;
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(2, 2);
   for (std::size_t k = 0; k < 2; ++k)
@@ -268,184 +262,6 @@ TEST(ContactTangent, OfTwoPatchesIsTheSumOfBoth)
   }
   const Eigen::MatrixXd found = ContactTangent(1e-8).stiffness(both, solution, openings);
   EXPECT_LT((found - sum).cwiseAbs().maxCoeff(), 1e-6 * sum.cwiseAbs().maxCoeff());
-}
-
-// Patches that deform one another (CurvedProblem::coupling).
-
-/// Displacement of each column of two patches by the forces in the columns of the other: that of a point force on a
-/// half-space (Johnson 1985, eq. 3.22b), at the root of `distance`² + `spread`² [m].
-template <typename Distance>
-void couple(CurvedProblem& problem, double spread, Distance distance)
-{
-  const Grid &one = problem.patches[0].grid, &other = problem.patches[1].grid;
-  problem.coupling.setZero(one.ny + other.ny, one.ny + other.ny);
-  for (int i = 0; i < one.ny; ++i)
-  {
-    for (int j = 0; j < other.ny; ++j)
-    {
-      const double away = std::hypot(distance(one.y(i), other.y(j)), spread);
-      problem.coupling(i, one.ny + j) = problem.coupling(one.ny + j, i) = 1 / (pi * problem.modulus * away);
-    }
-  }
-}
-
-/// Two random patches 20 mm apart, with weights and normals of their own columns.
-CurvedProblem randomCoupledProblem(std::mt19937_64& random)
-{
-  CurvedProblem problem = problems::curved(problems::randomProblem(random, 2));
-  for (std::size_t k = 0; k < problem.patches.size(); ++k)
-  {
-    ColumnNormals& normals = problem.normals[k];
-    normals.turn = Eigen::ArrayXd::LinSpaced(problem.patches[k].grid.ny, -0.2, problems::uniform(random, 0, 0.4));
-    normals.weight = normals.turn.cos();
-  }
-  couple(problem, 3e-3, [](double here, double there) { return 0.02 + there - here; });
-  return problem;
-}
-
-/// Work of the pressures of one solution on the displacements of another [J].
-double work(const NormalProblem& problem, const NormalSolution& pressures, const NormalSolution& displacements)
-{
-  double sum = 0;
-  for (std::size_t k = 0; k < problem.patches.size(); ++k)
-  {
-    const Eigen::ArrayXXd product = pressures.patches[k].pressure * displacements.patches[k].displacement;
-    sum += problem.patches[k].grid.cellArea() * product.sum();
-  }
-  return sum;
-}
-
-/// Two bowls whose lowest points are 12 mm apart, at y = -6 mm and y = 6 mm, of different curvature and height.
-constexpr double half_distance = 6e-3;  ///< [m]
-
-double bowl(bool second, double x, double y)
-{
-  return second ? 1.1 * x * x + 40 * y * y + 1e-5 : 1.1 * x * x + 25 * y * y;
-}
-
-/// One grid that holds both bowls.
-CurvedProblem onOneGrid(double approach)
-{
-  const Grid grid = problems::centredGrid(64, 240, 0.024, 0.024, true);
-  CurvedProblem problem;
-  problem.modulus = problems::steel();
-  problem.control = NormalProblem::Control::approach;
-  problem.value = approach;
-  problem.patches.push_back(problems::sampled(
-      grid, [](double x, double y) { return bowl(y > 0, x, y > 0 ? y - half_distance : y + half_distance); }));
-  return problem;
-}
-
-/// The same cells around each bowl, as two patches. y is measured from the lowest point of each.
-CurvedProblem onTwoGrids(double approach)
-{
-  const Grid grid = problems::centredGrid(64, 80, 0.024, 0.008, true);
-  CurvedProblem problem = onOneGrid(approach);
-  problem.patches = {problems::sampled(grid, [](double x, double y) { return bowl(false, x, y); }),
-                     problems::sampled(grid, [](double x, double y) { return bowl(true, x, y); })};
-  return problem;
-}
-
-/// Normal forces on a grid below and above y = 0 [N].
-std::array<double, 2> forcesOfHalves(const PatchPressure& patch)
-{
-  const Eigen::Index half = patch.pressure.cols() / 2;
-  const double area = patch.grid.cellArea();
-  return {area * patch.pressure.leftCols(half).sum(), area * patch.pressure.rightCols(half).sum()};
-}
-
-// The work of one pressure on the displacements by another is the work of the other on the displacements by the first.
-// Tolerance: the solution keeps its displacement from step to step.
-TEST(PatchCoupling, WorkOfTwoPressuresIsSymmetric)
-{
-  Seeded64 random(seed);
-  for (int scene = 0; scene < 10; ++scene)
-  {
-    CurvedProblem problem = randomCoupledProblem(random);
-    const NormalSolution one = solved(problem);
-    problem.patches[0].gap += 1e-5;
-    problem.patches[1].gap *= 0.9;
-    const NormalSolution other = solved(problem);
-    ASSERT_TRUE(isUsable(one.status) && isUsable(other.status)) << "scene " << scene;
-    const double forward = work(problem, one, other);
-    EXPECT_GT(forward, 0) << "scene " << scene;
-    EXPECT_NEAR(work(problem, other, one) / forward, 1, 1e-10) << "scene " << scene;
-  }
-}
-
-// The load is the derivative of the energy with respect to the approach. Central differences over 1 % of the approach.
-TEST(PatchCoupling, LoadIsTheDerivativeOfTheEnergy)
-{
-  constexpr double approach = 1e-4, step = 5e-7;
-  const auto at = [](double value)
-  {
-    CurvedProblem problem = onTwoGrids(value);
-    couple(problem, 4e-3, [](double here, double there) { return 2 * half_distance + there - here; });
-    return problem;
-  };
-  const auto energy = [&](double value)
-  {
-    const NormalSolution solution = solved(at(value));
-    return 0.5 * work(at(value), solution, solution);
-  };
-  const NormalSolution middle = solved(at(approach));
-  const double load = middle.patches[0].force + middle.patches[1].force;
-  EXPECT_NEAR((energy(approach + step) - energy(approach - step)) / (2 * step) / load, 1, 1e-4);
-}
-
-// An ellipsoid of pressure of half-length a has the mean square a² / 5 along the track; a² is about half of that of the
-// overlap. Without coupling the forces are too high by the mutual displacement, about a tenth of the approach.
-TEST(PatchCoupling, DistantPatchesCarryTheForcesOfOneGridThatHoldsBoth)
-{
-  for (const double approach : {5e-5, 1e-4})
-  {
-    const auto whole = forcesOfHalves(solved(onOneGrid(approach)).patches[0]);
-    CurvedProblem problem = onTwoGrids(approach);
-    const NormalSolution apart = solved(problem);
-    const double spread = std::sqrt(2 * 0.2 * 0.5 * approach / 1.1);
-    couple(problem, spread, [](double here, double there) { return 2 * half_distance + there - here; });
-    const NormalSolution coupled = solved(problem);
-    for (std::size_t k = 0; k < 2; ++k)
-    {
-      std::cout << "approach " << approach << ", patch " << k << ": " << coupled.patches[k].force / whole[k] - 1
-                << " with coupling, " << apart.patches[k].force / whole[k] - 1 << " without\n";
-      EXPECT_NEAR(coupled.patches[k].force / whole[k], 1, 0.01) << "patch " << k;
-      EXPECT_GT(apart.patches[k].force / whole[k], 1.05) << "patch " << k;
-    }
-  }
-}
-
-// An earlier displacement without coupling does not belong to the coupled problem.
-TEST(PatchCoupling, AWarmStartFromTheUncoupledSolutionGivesTheCoupledOne)
-{
-  CurvedProblem problem = onTwoGrids(1e-4);
-  const NormalSolution apart = solved(problem);
-  couple(problem, 4e-3, [](double here, double there) { return 2 * half_distance + there - here; });
-  const NormalSolution cold = solved(problem), warm = solved(problem, apart, true), again = solved(problem, cold, true);
-  for (std::size_t k = 0; k < 2; ++k)
-  {
-    EXPECT_LT(cold.patches[k].force / apart.patches[k].force, 0.95);
-    EXPECT_NEAR(warm.patches[k].force / cold.patches[k].force, 1, 1e-7);
-    EXPECT_NEAR(again.patches[k].force / cold.patches[k].force, 1, 1e-7);
-  }
-  EXPECT_LE(again.iterations, 2);
-}
-
-TEST(PatchCoupling, ACouplingOfTheWrongSizeIsAnInvalidProblem)
-{
-  CurvedProblem problem = onTwoGrids(1e-4);
-  const Eigen::Index columns = 2 * problem.patches[0].grid.ny;
-  for (const Eigen::Index size : {Eigen::Index{1}, columns - 1, columns + 1})
-  {
-    problem.coupling.setZero(size, size);
-    EXPECT_EQ(solved(problem).status, SolveStatus::invalid_problem) << size;
-  }
-  problem.coupling.setZero(columns, 1);
-  EXPECT_EQ(solved(problem).status, SolveStatus::invalid_problem);
-  problem.coupling.setZero(columns, columns);
-  EXPECT_EQ(solved(problem).status, SolveStatus::converged);
-  problem.coupling(0, columns - 1) = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(solved(problem).status, SolveStatus::invalid_problem);
 }
 }  // namespace
 }  // namespace wheel_rail_contact::core

@@ -145,6 +145,13 @@ inline CurvedProblem curved(const NormalProblem& plane)
   return problem;
 }
 
+/// Solution by conjugate gradients to a residual of 1e-9.
+inline NormalSolution solvedCurved(const CurvedProblem& problem, NormalSolution solution = {}, bool warm = false)
+{
+  solverTo(1e-9).solveCurved(problem, warm, solution);
+  return solution;
+}
+
 /// Matrix of the influence coefficients of a grid [m/Pa], with the cells in the order of the gap array.
 inline Eigen::MatrixXd influenceMatrix(const Grid& grid, double modulus, Kernel kernel = Kernel::rectangle)
 {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "../../usual_headers.h"
-#include "core/track/placement.h"
+#include "core/track/contact_search.h"
 
 namespace wheel_rail_contact::core
 {
@@ -83,4 +83,26 @@ class DenseSeparation
   double y_first_;
   std::vector<double> wheel_, rail_;
 };
+
+/// Largest curvature of the separation [1/m]: on the flank, at a section boundary of S1002.
+constexpr double sharpest = 3200;
+
+/// Largest error of a minimum by brute force [m]. The nearest station is up to 5 um beside the minimum and therefore up
+/// to 3200 1/m / 2 * (5 um)² = 0.04 um too high. Chords add 0.002 um / cos(70 degrees) on the flank.
+constexpr double dense_error = 0.05e-6;
+
+/// Nearest position of a search that must have one.
+template <typename Search>
+InitialContact nearestOf(Search&& search)
+{
+  InitialContact contact;
+  return search.nearest(contact) ? contact : throw std::runtime_error("no contact");
+}
+
+inline std::vector<OverlapInterval> intervalsOf(const ContactSearch& search, double separation)
+{
+  std::vector<OverlapInterval> found;
+  search.overlapIntervals(separation, found);
+  return found;
+}
 }  // namespace wheel_rail_contact::core
