@@ -41,18 +41,16 @@ TEST(ComplianceTableFile, AllNumbersAreRead)
 {
   const ComplianceTableFile file = readWith("made up", "made up");
   EXPECT_EQ(file.name, "test rail");
-  EXPECT_EQ(file.table.lateral_lateral, 6.0e-8);
-  EXPECT_EQ(file.table.lateral_roll, 3.0e-7);
-  EXPECT_EQ(file.table.roll_roll, 2.6e-6);
-  EXPECT_EQ(file.table.vertical_vertical, 5.6e-9);
+  const auto values = [](const core::ComplianceTable& table) {
+    return std::vector<double>{table.lateral_lateral, table.lateral_roll, table.roll_roll, table.vertical_vertical};
+  };
+  EXPECT_EQ(values(file.table), (std::vector<double>{6.0e-8, 3.0e-7, 2.6e-6, 5.6e-9}));
   EXPECT_EQ(file.linear_range, 0.6);
   ASSERT_EQ(file.neighbours.size(), 2U);
   EXPECT_EQ(file.neighbours[0].distance, 1.8);
   EXPECT_EQ(file.neighbours[0].influence.lateral_lateral, 6.7e-9);
   EXPECT_EQ(file.neighbours[1].distance, 2.5);
-  EXPECT_EQ(file.neighbours[1].influence.lateral_roll, 1.5e-8);
-  EXPECT_EQ(file.neighbours[1].influence.roll_roll, 1.3e-7);
-  EXPECT_EQ(file.neighbours[1].influence.vertical_vertical, 0);
+  EXPECT_EQ(values(file.neighbours[1].influence), (std::vector<double>{3.0e-9, 1.5e-8, 1.3e-7, 0}));
 }
 
 TEST(ComplianceTableFile, ShippedTablesAreAccepted)

@@ -110,59 +110,36 @@ TEST(Parameters, DefaultFileSetsOrExplainsExactlyTheKnownParameters)
 TEST(Parameters, DefaultFileHasTheDefaultsOfTheCode)
 {
   const NodeConfig file = read(defaults());
-  const NodeConfig code;
-  EXPECT_EQ(file.model.track.gauge, code.model.track.gauge);
-  EXPECT_EQ(file.model.track.gauge_depth, code.model.track.gauge_depth);
-  EXPECT_EQ(file.track_frame, code.track_frame);
-  EXPECT_EQ(file.displacement_topic, code.displacement_topic);
-  EXPECT_EQ(file.distance_topic, code.distance_topic);
-  EXPECT_EQ(file.model.wheelset.flange_back_distance, code.model.wheelset.flange_back_distance);
-  EXPECT_EQ(file.model.wheelset.tape_circle, code.model.wheelset.tape_circle);
-  EXPECT_EQ(file.model.wheelset.solve_height_and_roll, code.model.wheelset.solve_height_and_roll);
+  const auto values = [](const NodeConfig& config)
+  {
+    const core::ContactModelConfig& model = config.model;
+    const core::RailBendingConfig& bending = model.rail_bending;
+    return std::make_tuple(
+        model.track.gauge, model.track.gauge_depth, config.track_frame, config.displacement_topic,
+        config.distance_topic, model.wheelset.flange_back_distance, model.wheelset.tape_circle,
+        model.wheelset.solve_height_and_roll, bending.model, bending.lateral_force, bending.prescribed.lateral,
+        bending.prescribed.vertical, bending.prescribed.roll, model.contact.method, model.contact.tolerance,
+        model.contact.cells_along, model.contact.cells_across, model.contact.check_branches, model.creep.method,
+        model.creep.rotation, model.creep.field, config.slop, config.interpolate_load, config.longest_gap,
+        config.markers.rate, config.markers.rail_length, config.markers.force_scale, config.markers.max_pressure,
+        config.markers.zoom, config.markers.zoom_height, config.markers.pressure_height);
+  };
+  EXPECT_EQ(values(file), values(NodeConfig()));
+  const std::string required = "{wheel: {profile: S1002}, rail: {profile: 60E1}}";  // nothing else
+  EXPECT_EQ(values(read(parameterTree(YAML::Load(required)))), values(NodeConfig()));
   for (const core::Side side : core::sides)
   {
-    EXPECT_EQ(file.model.track.rail_inclination[side], code.model.track.rail_inclination[side]);
-    EXPECT_EQ(file.model.wheelset.rolling_radius[side], code.model.wheelset.rolling_radius[side]);
-    EXPECT_EQ(file.model.wheel_material[side], code.model.wheel_material[side]);
-    EXPECT_EQ(file.model.rail_material[side], code.model.rail_material[side]);
+    const auto values_of_side = [side](const core::ContactModelConfig& model)
+    {
+      const core::FrictionLaw& friction = model.creep.friction[side];
+      return std::make_tuple(model.track.rail_inclination[side], model.wheelset.rolling_radius[side],
+                             model.wheel_material[side], model.rail_material[side], friction.coefficient,
+                             friction.slip_share, friction.slip_decay);
+    };
+    EXPECT_EQ(values_of_side(file.model), values_of_side(NodeConfig().model));
   }
-  EXPECT_EQ(file.model.rail_bending.model, code.model.rail_bending.model);
-  EXPECT_EQ(file.model.rail_bending.lateral_force, code.model.rail_bending.lateral_force);
-  EXPECT_EQ(file.model.rail_bending.prescribed.lateral, code.model.rail_bending.prescribed.lateral);
-  EXPECT_EQ(file.model.rail_bending.prescribed.vertical, code.model.rail_bending.prescribed.vertical);
-  EXPECT_EQ(file.model.rail_bending.prescribed.roll, code.model.rail_bending.prescribed.roll);
-  EXPECT_EQ(file.model.contact.method, code.model.contact.method);
-  EXPECT_EQ(file.model.contact.tolerance, code.model.contact.tolerance);
-  EXPECT_EQ(file.model.contact.cells_along, code.model.contact.cells_along);
-  EXPECT_EQ(file.model.contact.cells_across, code.model.contact.cells_across);
-  EXPECT_EQ(file.model.contact.check_branches, code.model.contact.check_branches);
-  EXPECT_EQ(file.model.creep.method, code.model.creep.method);
-  for (const core::Side side : core::sides)
-  {
-    EXPECT_EQ(file.model.creep.friction[side].coefficient, code.model.creep.friction[side].coefficient);
-    EXPECT_EQ(file.model.creep.friction[side].slip_share, code.model.creep.friction[side].slip_share);
-    EXPECT_EQ(file.model.creep.friction[side].slip_decay, code.model.creep.friction[side].slip_decay);
-  }
-  EXPECT_EQ(file.model.creep.rotation, code.model.creep.rotation);
-  EXPECT_EQ(file.model.creep.field, code.model.creep.field);
-  EXPECT_EQ(file.slop, code.slop);
-  EXPECT_EQ(file.interpolate_load, code.interpolate_load);
-  EXPECT_EQ(file.longest_gap, code.longest_gap);
-  EXPECT_EQ(file.markers.rate, code.markers.rate);
-  EXPECT_EQ(file.markers.rail_length, code.markers.rail_length);
-  EXPECT_EQ(file.markers.force_scale, code.markers.force_scale);
-  EXPECT_EQ(file.markers.max_pressure, code.markers.max_pressure);
-  EXPECT_EQ(file.markers.zoom, code.markers.zoom);
-  EXPECT_EQ(file.markers.zoom_height, code.markers.zoom_height);
-  EXPECT_EQ(file.markers.pressure_height, code.markers.pressure_height);
   EXPECT_EQ(file.model.wheel_profile.left->name(), "S1002");
   EXPECT_EQ(file.model.rail_profile.left->name(), "60E1");
-}
-
-TEST(Parameters, OnlyTheProfilesAreRequired)
-{
-  const NodeConfig config = read(parameterTree(YAML::Load("{wheel: {profile: S1002}, rail: {profile: 60E1}}")));
-  EXPECT_EQ(config.model.track.gauge, core::TrackConfig().gauge);
 }
 
 TEST(Parameters, NumbersMayBeWrittenAsStrings)

@@ -102,19 +102,15 @@ class LineParameter : public testing::Test
 constexpr double rounding = 1e-9;  ///< of differences of gauges [mm]
 }  // namespace
 
-TEST_F(LineParameter, EmptyNameIsTheIdealTrack)
-{
-  EXPECT_EQ(read("").model.track.line, nullptr);
-  EXPECT_EQ(read("line: ''").model.track.line, nullptr);
-}
-
-TEST_F(LineParameter, LineIsAFileOrAGroupWithItsAxes)
+TEST_F(LineParameter, LineIsAFileOrAGroupWithItsAxesOrNone)
 {
   EXPECT_NEAR(leftAtBegin("line: line.csv"), 3 + 2, rounding);
   EXPECT_NEAR(leftAtBegin("line: " + testing::TempDir() + "line.csv"), 3 + 2, rounding);
   EXPECT_NEAR(leftAtBegin("line: {file: line.csv}"), 3 + 2, rounding);
   EXPECT_NEAR(leftAtBegin("line: {file: line.csv, axes: rep103}"), 3 + 2, rounding);
   EXPECT_NEAR(leftAtBegin("line: {file: line.csv, axes: railway}"), 3 - 2, rounding);
+  EXPECT_EQ(read("").model.track.line, nullptr);
+  EXPECT_EQ(read("line: ''").model.track.line, nullptr);
 }
 
 TEST_F(LineParameter, GaugeOfTheFileIsComparedWithTheNominalGauge)

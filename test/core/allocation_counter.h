@@ -64,4 +64,17 @@ extern "C"
     return *memory ? 0 : ENOMEM;
   }
 }
+
+TEST(AllocationCounter, CountsEachAllocation)
+{
+  void* volatile memory = nullptr;  // volatile: an optimizer may remove the unused allocation
+  EXPECT_EQ(allocationsOf([&] { memory = std::malloc(16); }), 1);
+  std::free(memory);
+  EXPECT_EQ(allocationsOf([&] { memory = std::calloc(2, 8); }), 1);
+  std::free(memory);
+  Eigen::ArrayXXd array;
+  std::unique_ptr<int> number;
+  EXPECT_EQ(allocationsOf([&] { array.setZero(8, 8); }), 1);
+  EXPECT_EQ(allocationsOf([&] { number = std::make_unique<int>(1); }), 1);
+}
 #endif

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <boost/make_shared.hpp>
 
-#include "../usual_headers.h"
+#include "../refusal.h"
 #include "ros/evaluation/contact_input.h"
 
 using namespace wheel_rail_contact;
@@ -13,11 +13,12 @@ namespace
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-geometry_msgs::PoseStamped pose(const Eigen::Quaterniond& q = Eigen::Quaterniond::Identity())
+geometry_msgs::PoseStamped pose(const Eigen::Quaterniond& q = Eigen::Quaterniond::Identity(),
+                                const std::string& frame = "track")
 {
   geometry_msgs::PoseStamped message;
   message.header.stamp = ros::Time(10);
-  message.header.frame_id = "track";
+  message.header.frame_id = frame;
   message.pose.position.x = 4;
   message.pose.position.y = 0.002;
   message.pose.position.z = 0.46;
@@ -111,7 +112,9 @@ core::WheelsetState convert(const ContactInput& in, const tf2::BufferCore& trans
 }
 
 /// Status and reason with which an input is refused.
-std::pair<int, std::string> refusal(const ContactInput& in, const tf2::BufferCore& transforms = tf2::BufferCore())
+using Refusal = std::pair<int, std::string>;
+
+Refusal refusal(const ContactInput& in, const tf2::BufferCore& transforms = tf2::BufferCore())
 {
   try
   {
@@ -134,16 +137,11 @@ Eigen::Quaterniond turned(double yaw, double roll, double spin)
 TEST(ContactInput, StateHasTheValuesOfPoseAndLoad)
 {
   const core::WheelsetState state = convert(input(pose()));
-  EXPECT_EQ(state.x, 4);
-  EXPECT_EQ(state.y, 0.002);
-  EXPECT_EQ(state.z, 0.46);
-  EXPECT_EQ(state.yaw, 0);
-  EXPECT_EQ(state.roll, 0);
-  EXPECT_EQ(state.force_z, -2e5);
-  EXPECT_EQ(state.torque_x, 3);
+  EXPECT_EQ((std::array{state.x, state.y, state.z, state.yaw, state.roll, state.force_z, state.torque_x}),
+            (std::array{4.0, 0.002, 0.46, 0.0, 0.0, -2e5, 3.0}));
 }
 
-TEST(ContactInput, RotationAboutTheAxleHasNoEffect)
+TEST(ContactInput, RotationAboutTheAxleAndNearlyUnitLengthHaveNoEffect)
 {
   for (const double spin : {0.0, 0.3, 1.5707963267948966, 3.0, -2.0})
   {
@@ -151,15 +149,20 @@ TEST(ContactInput, RotationAboutTheAxleHasNoEffect)
     EXPECT_NEAR(state.yaw, 0.02, 1e-12) << spin;
     EXPECT_NEAR(state.roll, -0.005, 1e-12) << spin;
   }
+  Eigen::Quaterniond q = turned(0.02, 0.01, 0);
+  q.coeffs() *= 1.0009;
+  EXPECT_NEAR(convert(input(pose(q))).yaw, 0.02, 1e-12);
+  q.coeffs() *= 1.0002;
+  EXPECT_EQ(refusal(input(pose(q))).first, WheelsetContact::INVALID_INPUT);
 }
 
 // As the link of a cylinder, whose z axis is along the axle: its yaw would be rounding noise.
 TEST(ContactInput, PoseWhoseYAxisIsNotAlongTheAxleToTheLeftIsRefused)
 {
   const double half_turn = std::acos(-1.0);
-  EXPECT_EQ(refusal(input(pose(turned(0, -half_turn / 2, 0)))),
-            std::make_pair(int{WheelsetContact::INVALID_INPUT},
-                           std::string("pose: its y axis is not along the axle (roll -90 deg), but its z axis")));
+  EXPECT_EQ(
+      refusal(input(pose(turned(0, -half_turn / 2, 0)))),
+      Refusal(WheelsetContact::INVALID_INPUT, "pose: its y axis is not along the axle (roll -90 deg), but its z axis"));
   EXPECT_EQ(refusal(input(pose(turned(half_turn / 2, 0, 0)))).second,
             "pose: its y axis is not along the axle (yaw 90 deg), but its x axis");
   for (const double spin : {0.0, half_turn})  // turned round; y to the right and z down
@@ -170,21 +173,11 @@ TEST(ContactInput, PoseWhoseYAxisIsNotAlongTheAxleToTheLeftIsRefused)
   }
 }
 
-TEST(ContactInput, QuaternionOfNearlyUnitLengthIsNormalised)
-{
-  Eigen::Quaterniond q = turned(0.02, 0.01, 0);
-  q.coeffs() *= 1.0009;
-  EXPECT_NEAR(convert(input(pose(q))).yaw, 0.02, 1e-12);
-  q.coeffs() *= 1.0002;
-  EXPECT_EQ(refusal(input(pose(q))).first, WheelsetContact::INVALID_INPUT);
-}
-
-TEST(ContactInput, NonFiniteNumbersAreRefusedWithTheirName)
+TEST(ContactInput, NonFiniteNumbersAndLoadsInAnotherFrameAreRefusedByName)
 {
   auto bad = pose();
   bad.pose.position.y = not_a_number;
-  EXPECT_EQ(refusal(input(bad)),
-            (std::pair<int, std::string>(WheelsetContact::INVALID_INPUT, "pose: position is not finite")));
+  EXPECT_EQ(refusal(input(bad)), Refusal(WheelsetContact::INVALID_INPUT, "pose: position is not finite"));
   bad = pose();
   bad.pose.position.x = infinity;
   EXPECT_EQ(refusal(input(bad)).first, WheelsetContact::INVALID_INPUT);
@@ -192,40 +185,38 @@ TEST(ContactInput, NonFiniteNumbersAreRefusedWithTheirName)
   {
     bad = pose();
     bad.pose.orientation.w = w;
-    const auto refused = refusal(input(bad));
-    EXPECT_EQ(refused.first, WheelsetContact::INVALID_INPUT) << w;
-    EXPECT_NE(refused.second.find("quaternion"), std::string::npos) << refused.second;
+    EXPECT_EQ(refusal(input(bad)).first, WheelsetContact::INVALID_INPUT) << w;
+    EXPECT_TRUE(contains(refusal(input(bad)).second, "quaternion"));
   }
   EXPECT_EQ(refusal(input(pose(), wrench(0, not_a_number, 0))).second, "load: force is not finite");
   EXPECT_EQ(refusal(input(pose(), wrench(0, -1e5, -infinity))).second, "load: torque is not finite");
-}
-
-TEST(ContactInput, LoadInAnotherFrameIsRefused)
-{
   auto load = wrench(0, -2e5, 0);
   load.header.frame_id = "track";
   EXPECT_EQ(convert(input(pose(), load)).force_z, -2e5);
   load.header.frame_id = "wheelset";
-  const auto refused = refusal(input(pose(), load));
-  EXPECT_EQ(refused.first, WheelsetContact::INVALID_INPUT);
-  EXPECT_NE(refused.second.find("'wheelset'"), std::string::npos);
+  EXPECT_EQ(refusal(input(pose(), load)).first, WheelsetContact::INVALID_INPUT);
+  EXPECT_TRUE(contains(refusal(input(pose(), load)).second, "'wheelset'"));
 }
 
-TEST(ContactInput, PoseIsTransformedToTheTrackFrame)
+TEST(ContactInput, PoseIsTransformedToTheTrackFrameIfItsFrameIsKnown)
 {
   tf2::BufferCore transforms;
   transforms.setTransform(vehicle(0.01), "test");
-  auto message = pose();
-  message.header.frame_id = "vehicle";
+  auto message = pose(turned(0, 0, 0), "vehicle");
   const core::WheelsetState state = convert(input(message), transforms);
   EXPECT_NEAR(state.yaw, 0.01, 1e-12);
   EXPECT_NEAR(state.y, 0.01 + 4 * std::sin(0.01) + 0.002 * std::cos(0.01), 1e-12);
   EXPECT_NEAR(state.distance, 4 * std::cos(0.01) - 0.002 * std::sin(0.01), 1e-12);
 
   message.header.stamp = ros::Time(11);
-  const auto late = refusal(input(message), transforms);
+  const Refusal late = refusal(input(message), transforms);
   EXPECT_EQ(late.first, WheelsetContact::NO_TRANSFORM);
-  EXPECT_NE(late.second.find("'track'"), std::string::npos);
+  EXPECT_TRUE(contains(late.second, "'track'"));
+  for (const std::string& frame :
+       {std::string("nowhere"), std::string(), std::string("/track"), std::string(100000, 'x')})
+  {
+    EXPECT_EQ(refusal(input(pose(turned(0, 0, 0), frame))).first, WheelsetContact::NO_TRANSFORM) << frame.substr(0, 20);
+  }
 }
 
 // The track frame moves on an arc, with a transform every 50 ms. tf interpolates on its chords.
@@ -240,8 +231,7 @@ TEST(ContactInput, ErrorOfTheInterpolationOnACurveIsEstimated)
   };
   const auto pose_at = [&](double time)
   {
-    geometry_msgs::PoseStamped message = pose(turned(speed * time / radius, 0, 0));
-    message.header.frame_id = "map";
+    geometry_msgs::PoseStamped message = pose(turned(speed * time / radius, 0, 0), "map");
     message.header.stamp = ros::Time(10 + time);
     message.pose.position.x = on_arc(time, 2e-3).x();
     message.pose.position.y = on_arc(time, 2e-3).y();
@@ -275,17 +265,6 @@ TEST(ContactInput, ErrorOfTheInterpolationOnACurveIsEstimated)
             "tf is slower than the poses: its interpolation is estimated to be 6.7 mm off");
 }
 
-TEST(ContactInput, UnknownAndInvalidFramesGiveNoTransform)
-{
-  for (const std::string& frame :
-       {std::string("nowhere"), std::string(), std::string("/track"), std::string(100000, 'x')})
-  {
-    auto message = pose();
-    message.header.frame_id = frame;
-    EXPECT_EQ(refusal(input(message)).first, WheelsetContact::NO_TRANSFORM) << frame.substr(0, 20);
-  }
-}
-
 TEST(ContactInput, RailForcesAreOutwardOnBothSides)
 {
   ContactInput in = input(pose());
@@ -305,16 +284,12 @@ TEST(ContactInput, DisplacementsOfTheRailsAreInTheAxesOfTheirSides)
   message.header.frame_id = "anywhere";
   in.rail_displacement = shared(message);
   const core::WheelsetState state = convert(in);
-  EXPECT_EQ(state.rail_displacement.left.lateral, 1e-3);
-  EXPECT_EQ(state.rail_displacement.left.vertical, -2e-3);
-  EXPECT_EQ(state.rail_displacement.left.roll, 3e-3);
-  EXPECT_EQ(state.rail_displacement.right.lateral, -4e-3);
-  EXPECT_EQ(state.rail_displacement.right.vertical, 5e-3);
-  EXPECT_EQ(state.rail_displacement.right.roll, -6e-3);
-  EXPECT_EQ(state.rail_velocity.left.lateral, 0.01);
-  EXPECT_EQ(state.rail_velocity.left.vertical, -0.02);
-  EXPECT_EQ(state.rail_velocity.left.roll, 0.03);
-  EXPECT_EQ(state.rail_velocity.right.roll, -0.04);
+  using Values = std::array<double, 3>;
+  const auto values = [](const auto& of_rail) { return Values{of_rail.lateral, of_rail.vertical, of_rail.roll}; };
+  EXPECT_EQ(values(state.rail_displacement.left), (Values{1e-3, -2e-3, 3e-3}));
+  EXPECT_EQ(values(state.rail_displacement.right), (Values{-4e-3, 5e-3, -6e-3}));
+  EXPECT_EQ(values(state.rail_velocity.left), (Values{0.01, -0.02, 0.03}));
+  EXPECT_EQ(values(state.rail_velocity.right), (Values{0, 0, -0.04}));
 }
 
 TEST(ContactInput, NonFiniteDisplacementOrVelocityIsRefusedWithItsRail)
@@ -327,16 +302,15 @@ TEST(ContactInput, NonFiniteDisplacementOrVelocityIsRefusedWithItsRail)
   {
     for (const double bad : {not_a_number, infinity, -infinity})
     {
-      ContactInput in = input(pose());
-      auto message = displacements();
-      message.left.*component = bad;
-      in.rail_displacement = shared(message);
-      EXPECT_EQ(refusal(in),
-                (std::pair<int, std::string>(WheelsetContact::INVALID_INPUT, "left rail " + name + " is not finite")));
-      message = displacements();
-      message.right.*component = bad;
-      in.rail_displacement = shared(message);
-      EXPECT_EQ(refusal(in).second, "right rail " + name + " is not finite");
+      for (const auto rail : {&RailDisplacements::left, &RailDisplacements::right})
+      {
+        ContactInput in = input(pose());
+        auto message = displacements();
+        message.*rail.*component = bad;
+        in.rail_displacement = shared(message);
+        const std::string side = rail == &RailDisplacements::left ? "left" : "right";
+        EXPECT_EQ(refusal(in), Refusal(WheelsetContact::INVALID_INPUT, side + " rail " + name + " is not finite"));
+      }
     }
   }
 }
@@ -352,8 +326,7 @@ TEST(ContactInput, DistanceIsThatOfTheMessageOrElseXInTheTrackFrame)
   EXPECT_EQ(convert(in).x, 4);
   place.point.x = not_a_number;
   in.distance = shared(place);
-  EXPECT_EQ(refusal(in),
-            (std::pair<int, std::string>(WheelsetContact::INVALID_INPUT, "distance: point.x is not finite")));
+  EXPECT_EQ(refusal(in), Refusal(WheelsetContact::INVALID_INPUT, "distance: point.x is not finite"));
 }
 
 TEST(ContactInput, TwistIsInTheTrackFrameOrTurnedFromThatOfThePose)
@@ -364,9 +337,7 @@ TEST(ContactInput, TwistIsInTheTrackFrameOrTurnedFromThatOfThePose)
   ContactInput in = input(pose());
   in.twist = twist("track");
   expectMotion(convert(in).motion, {20, 0.02, -0.03}, {0.04, 43, -0.05});
-  auto there = pose();
-  there.header.frame_id = "vehicle";
-  in.pose = shared(there);
+  in.pose = shared(pose(turned(0, 0, 0), "vehicle"));
   expectMotion(convert(in, transforms).motion, {20, 0.02, -0.03}, {0.04, 43, -0.05});
   in.twist = twist("vehicle");
   expectMotion(convert(in, transforms).motion, {20 * c - 0.02 * s, 20 * s + 0.02 * c, -0.03},
@@ -375,7 +346,6 @@ TEST(ContactInput, TwistIsInTheTrackFrameOrTurnedFromThatOfThePose)
 
 TEST(ContactInput, TwistInAnotherFrameOrNotFiniteIsRefused)
 {
-  using Refusal = std::pair<int, std::string>;
   ContactInput in = input(pose());
   for (const std::string frame : {"", "vehicle"})
   {
@@ -385,9 +355,7 @@ TEST(ContactInput, TwistInAnotherFrameOrNotFiniteIsRefused)
   }
   tf2::BufferCore transforms;
   transforms.setTransform(vehicle(0), "test");
-  auto there = pose();
-  there.header.frame_id = "vehicle";
-  in.pose = shared(there);
+  in.pose = shared(pose(turned(0, 0, 0), "vehicle"));
   in.twist = twist("body");
   EXPECT_EQ(refusal(in, transforms).second,
             "twist: frame_id is 'body', but must be 'track' (track/frame) or 'vehicle', the frame of the pose");
@@ -404,49 +372,28 @@ TEST(ContactInput, TwistInAnotherFrameOrNotFiniteIsRefused)
   }
 }
 
-namespace
+TEST(WarmStartReset, OccursAtTheFirstInputAtWholeSecondsAfterTwoHundredInputsAndWhenAStampDecreases)
 {
-/// Indices of the stamps [ms] at which the warm start is reset.
-std::vector<std::size_t> resets(const std::vector<int>& stamps)
-{
-  ResetRule rule;
-  std::vector<std::size_t> result;
-  for (std::size_t i = 0; i < stamps.size(); ++i)
+  using Places = std::vector<std::size_t>;
+  const auto resets = [](const std::vector<int>& stamps)  // indices of the stamps [ms] at which it is reset
   {
-    if (rule.resets(ros::Time(0, 0) + ros::Duration().fromNSec(std::int64_t{1000000} * stamps[i])))
+    ResetRule rule;
+    Places result;
+    for (std::size_t i = 0; i < stamps.size(); ++i)
     {
-      result.push_back(i);
+      if (rule.resets(ros::Time(0, 0) + ros::Duration().fromNSec(std::int64_t{1000000} * stamps[i])))
+      {
+        result.push_back(i);
+      }
     }
-  }
-  return result;
-}
-}  // namespace
-
-TEST(WarmStartReset, OccursAtTheFirstInputAndAtEveryWholeSecond)
-{
-  EXPECT_EQ(resets({500, 700, 999, 1000, 1999, 2000, 5000}), (std::vector<std::size_t>{0, 3, 5, 6}));
-}
-
-TEST(WarmStartReset, OccursWhenAStampDecreasesButNotWhenItIsRepeated)
-{
-  EXPECT_EQ(resets({500, 700, 600, 610, 610}), (std::vector<std::size_t>{0, 2}));
-}
-
-TEST(WarmStartReset, OccursAfterTwoHundredInputsOfOneSecond)
-{
-  std::vector<int> stamps;
-  for (int i = 0; i < 450; ++i)
-  {
-    stamps.push_back(2000 + 2 * i);
-  }
-  EXPECT_EQ(resets(stamps), (std::vector<std::size_t>{0, 200, 400}));
-}
-
-// Two evaluators that begin at different inputs have the same resets from the next whole second on.
-TEST(WarmStartReset, DoesNotDependOnInputsOfEarlierSeconds)
-{
-  const std::vector<int> all{100, 300, 900, 1100, 1200, 2100};
-  const std::vector<int> late{900, 1100, 1200, 2100};
-  EXPECT_EQ(resets(all), (std::vector<std::size_t>{0, 3, 5}));
-  EXPECT_EQ(resets(late), (std::vector<std::size_t>{0, 1, 3}));
+    return result;
+  };
+  EXPECT_EQ(resets({500, 700, 999, 1000, 1999, 2000, 5000}), (Places{0, 3, 5, 6}));
+  EXPECT_EQ(resets({500, 700, 600, 610, 610}), (Places{0, 2})) << "not when a stamp is repeated";
+  std::vector<int> stamps(450);
+  std::generate(stamps.begin(), stamps.end(), [stamp = 1998]() mutable { return stamp += 2; });
+  EXPECT_EQ(resets(stamps), (Places{0, 200, 400}));
+  // Two evaluators that begin at different inputs have the same resets from the next whole second on.
+  EXPECT_EQ(resets({100, 300, 900, 1100, 1200, 2100}), (Places{0, 3, 5}));
+  EXPECT_EQ(resets({900, 1100, 1200, 2100}), (Places{0, 1, 3}));
 }

@@ -162,17 +162,12 @@ TEST(HoldLast, ReleasedResultGivesHeightAndRollToTheNext)
   EXPECT_EQ(applied(hold, 3, WheelsetContact::NOT_CONVERGED)->wheelset.position.z, 0);
 }
 
-TEST(HoldLast, BeforeTheFirstUsableResultNothingIsChanged)
+TEST(HoldLast, UsableResultAndThoseBeforeTheFirstOneAreNotChanged)
 {
   HoldLast hold(config(3));
   const Result refused = applied(hold, 1, WheelsetContact::NOT_CONVERGED);
   EXPECT_EQ(refused->wheelset.position.z, 0);
   EXPECT_FALSE(refused->held);
-}
-
-TEST(HoldLast, UsableResultIsNotChanged)
-{
-  HoldLast hold(config(3));
   applied(hold, 1, WheelsetContact::OK);
   const Result lifted = applied(hold, 2, WheelsetContact::LIFT_OFF);
   EXPECT_EQ(lifted->wheelset.position.z, 0);
@@ -214,20 +209,14 @@ TEST(HoldLast, UsableResultStartsTheCountAgain)
   }
 }
 
-TEST(HoldLast, NothingIsHeldAfterTimeHasGoneBack)
-{
-  HoldLast hold(config(5));
-  applied(hold, 5, WheelsetContact::OK);
-  const Result refused = applied(hold, 4, WheelsetContact::NOT_CONVERGED);
-  EXPECT_FALSE(refused->held);
-  EXPECT_EQ(refused->wheelset.position.z, 0);
-}
-
-TEST(HoldLast, RepeatedStampIsHeld)
+TEST(HoldLast, RepeatedStampIsHeldUntilTimeGoesBack)
 {
   HoldLast hold(config(5));
   applied(hold, 5, WheelsetContact::OK);
   EXPECT_TRUE(applied(hold, 5, WheelsetContact::NOT_CONVERGED)->held);
+  const Result refused = applied(hold, 4, WheelsetContact::NOT_CONVERGED);
+  EXPECT_FALSE(refused->held);
+  EXPECT_EQ(refused->wheelset.position.z, 0);
 }
 
 TEST(HoldLast, LastUsableResultIsForgottenAfterItsMemory)

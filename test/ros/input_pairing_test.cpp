@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/evaluation/input_pairing.h"
 
-#include <gtest/gtest.h>
-
 #include <boost/make_shared.hpp>
 #include <set>
-#include <string>
-#include <vector>
 
 #include "message_bytes.h"
 

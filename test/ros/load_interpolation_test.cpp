@@ -241,12 +241,12 @@ TEST_F(LoadInterpolation, ForceAndMomentAreLinearInTime)
   const auto middle = interpolatedLoad(load(10, 100), load(10.04, 180), ros::Time(10.01));
   EXPECT_EQ(middle.header.stamp, ros::Time(10.01));
   EXPECT_EQ(middle.header.frame_id, "track");
-  EXPECT_DOUBLE_EQ(middle.wrench.force.x, 120);
-  EXPECT_DOUBLE_EQ(middle.wrench.force.y, 240);
-  EXPECT_DOUBLE_EQ(middle.wrench.force.z, 360);
-  EXPECT_DOUBLE_EQ(middle.wrench.torque.x, 480);
-  EXPECT_DOUBLE_EQ(middle.wrench.torque.y, 600);
-  EXPECT_DOUBLE_EQ(middle.wrench.torque.z, 720);
+  const geometry_msgs::Vector3 &force = middle.wrench.force, &torque = middle.wrench.torque;
+  double expected = 0;
+  for (const double component : {force.x, force.y, force.z, torque.x, torque.y, torque.z})
+  {
+    EXPECT_DOUBLE_EQ(component, expected += 120);
+  }
 }
 
 TEST_F(LoadInterpolation, EveryPoseBetweenTwoLoadsHasItsOwnLoad)

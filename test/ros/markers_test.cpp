@@ -86,10 +86,11 @@ TEST_F(Picture, BothWheelProfilesLieOnTheirWheels)
   }
 }
 
-TEST_F(Picture, MarkersAreValid)
+TEST_F(Picture, MarkersAreValidAndTheLabelGivesPressureAndArea)
 {
   expectDrawable(draw());
   expectDrawable(profileMarkers(config));
+  EXPECT_EQ(findMarker(draw(), "label", 0).text, "982 MPa\n192 mm²");
 }
 
 TEST_F(Picture, TruePatchHasItsPositionAndSize)
@@ -196,11 +197,6 @@ TEST_F(Picture, FrictionOnTheRailIsAnArrowInTheTangentPlane)
   EXPECT_EQ(tail, findMarker(markers, "force", 0).points[0]);
 }
 
-TEST_F(Picture, LabelGivesPressureAndArea)
-{
-  EXPECT_EQ(findMarker(draw(), "label", 0).text, "982 MPa\n192 mm²");
-}
-
 TEST_F(Picture, RailIsDrawnDeflected)
 {
   const MarkerArray before = draw();
@@ -267,7 +263,7 @@ TEST_F(Picture, PartsCanBeSwitchedOff)
   }
 }
 
-TEST(ColorMap, BrightnessIncreasesWithTheValue)
+TEST(ColorMap, BrightnessIncreasesWithTheValueAndIsClampedOutside)
 {
   const auto brightness = [](double t)
   {
@@ -278,10 +274,6 @@ TEST(ColorMap, BrightnessIncreasesWithTheValue)
   {
     EXPECT_LT(brightness(t), brightness(t + 0.01)) << t;
   }
-}
-
-TEST(ColorMap, ValuesOutsideAreClamped)
-{
   EXPECT_EQ(colorOf(-3).b, colorOf(0).b);
   EXPECT_EQ(colorOf(7).r, colorOf(1).r);
   EXPECT_EQ(colorOf(std::numeric_limits<double>::quiet_NaN()).g, colorOf(0).g);

@@ -3,8 +3,7 @@
 
 #include <ros/serialization.h>
 
-#include <cstdint>
-#include <vector>
+#include "../usual_headers.h"
 
 namespace wheel_rail_contact
 {

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <cstddef>
-#include <cstdint>
 #include <numeric>
-#include <optional>
-#include <vector>
 
+#include "../usual_headers.h"
 #include "ros/evaluation/stamp_pairing.h"
 
 namespace wheel_rail_contact

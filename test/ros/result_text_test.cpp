@@ -32,28 +32,20 @@ class ResultText : public ResultScene
 };
 }  // namespace
 
-TEST_F(ResultText, BeginsWithStatusAndTime)
+TEST_F(ResultText, BeginsWithStatusTimeAndPose)
 {
   output.header.stamp = ros::Time(12.34);
   EXPECT_EQ(lines().front().text, "OK at 12.340 s");
   EXPECT_EQ(lines().front().tone, Tone::normal);
-}
-
-TEST_F(ResultText, NamesEachCoordinateOfThePose)
-{
   result.y = 4.6e-3;
   result.yaw = -2e-3;
   result.roll = 0.3e-3;
   EXPECT_EQ(lines().at(1).text, "y +4.60 mm, yaw -2.00 mrad, roll +0.30 mrad");
 }
 
-TEST_F(ResultText, EachPressureIsFollowedByItsOwnError)
+TEST_F(ResultText, EachPressureIsFollowedByItsOwnErrorWhichIsNotRoundedToZero)
 {
   EXPECT_EQ(lineWith("patch").text, "  patch   982 MPa ± 1.2 %,  192 mm²,  100.0 kN at +0.0°, hertz");
-}
-
-TEST_F(ResultText, SmallErrorIsNotRoundedToZeroAndALargeOneIsWrittenOut)
-{
   result.patches[0].error_estimate = 0.00031;
   EXPECT_NE(lineWith("patch").text.find("± 0.031 %"), std::string::npos) << lineWith("patch").text;
   result.patches[0].error_estimate = 1.5;
@@ -69,15 +61,11 @@ TEST_F(ResultText, WheelHasItsForcesAndTheHighestOfItsPressures)
   EXPECT_EQ(lineWith("left").text, "left  wheel: Q 101.0 kN, Y +8.1 kN, highest pressure  2408 MPa ± 0.3 %");
 }
 
-TEST_F(ResultText, OnlyADisplacedRailHasALine)
+TEST_F(ResultText, OnlyADisplacedRailAndAPatchWithStressesHaveLines)
 {
   EXPECT_EQ(lineWith("rail").text, "none");
   result.rail.right.deflection = {1e-3, -2e-4, 0};
   EXPECT_EQ(lineWith("rail").text, "  rail moved +1.00 mm outward, -0.20 mm up, +0.0 mrad");
-}
-
-TEST_F(ResultText, OnlyAPatchWithStressesHasALineForThem)
-{
   EXPECT_EQ(lineWith("von Mises").text, "none");
   result.patches[1].wheel_stress.von_mises = {612e6, 0, 0, 2.94e-3};
   result.patches[1].rail_stress.von_mises = {598.6e6, 0, 1e-3, 3.1e-3};
@@ -97,8 +85,11 @@ TEST_F(ResultText, OnlyARollingWheelHasLinesForItsFriction)
             "    83 % of adhesion, creepage +0.10, -2.00 mm/m, spin -0.08 1/m, -0.0, +24.6 kN on the wheel");
 }
 
-TEST_F(ResultText, WheelWithoutLoadIsAWarning)
+TEST_F(ResultText, WarningsOfUsableResultsAreVisible)
 {
+  output.reason = "estimated error 3 % above the tolerance";
+  EXPECT_EQ(lineWith("OK").tone, Tone::warning);
+  EXPECT_EQ(lineWith("above the tolerance").tone, Tone::warning);
   output.status = WheelsetContact::LIFT_OFF;
   output.reason = "the right wheel carries no load";
   result.patches.pop_back();
@@ -106,13 +97,6 @@ TEST_F(ResultText, WheelWithoutLoadIsAWarning)
   EXPECT_EQ(lineWith("carries no load").tone, Tone::warning);
   EXPECT_EQ(lineWith("right wheel: no contact").tone, Tone::warning);
   EXPECT_EQ(lineWith("left").tone, Tone::normal);
-}
-
-TEST_F(ResultText, WarningOfAUsableResultIsVisible)
-{
-  output.reason = "estimated error 3 % above the tolerance";
-  EXPECT_EQ(lineWith("OK").tone, Tone::warning);
-  EXPECT_EQ(lineWith("above the tolerance").tone, Tone::warning);
 }
 
 TEST_F(ResultText, UnusableResultHasStatusReasonAndPoseOnly)

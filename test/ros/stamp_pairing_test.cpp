@@ -1,27 +1,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/evaluation/stamp_pairing.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <limits>
-#include <random>
-#include <string>
-#include <utility>
-#include <vector>
-
+#include "../seeded.h"
 #include "pairing_helpers.h"
 
 using namespace wheel_rail_contact;
 
-TEST(StampPairing, EqualStampsArePairedInOrder)
+TEST(StampPairing, SamplesArePairedWithinTheSlopAndOthersAreCounted)
 {
-  Pairing pairing(2);
-  pairing.add(0, {1, 2, 3});
-  pairing.add(1, {1, 2, 3});
-  EXPECT_EQ(pairing.sets, (Sets{{1, 1}, {2, 2}, {3, 3}}));
-  EXPECT_EQ(pairing.counts().paired, 6U);
+  struct Sequence
+  {
+    std::size_t channels;
+    double slop;
+    std::vector<std::pair<std::size_t, Stamps>> samples;
+    Sets sets;
+    std::uint64_t unmatched = 0, waiting = 0;
+  };
+  const Sequence sequences[] = {
+      {2, 0, {{0, {1, 2, 3}}, {1, {1, 2, 3}}}, {{1, 1}, {2, 2}, {3, 3}}},
+      {2, 0, {{0, {1, 2, 3}}, {1, {1, 3}}}, {{1, 1}, {3, 3}}, 1},
+      {2, 0.003, {{0, {100, 200, 300}}, {1, {97, 203, 304}}}, {{100, 97}, {200, 203}}, 1, 1},
+      {4, 0, {{2, {5}}, {0, {5}}, {3, {5}}}, {}, 0, 3},
+      {4, 0, {{2, {5}}, {0, {5}}, {3, {5}}, {1, {5}}}, {{5, 5, 5, 5}}},
+      {1, 0, {{0, {7}}}, {{7}}},
+      // A repeated sample does not shift later sets, where a slop above the sampling interval permits a shift.
+      {2, 0.0015, {{1, {1, 2, 2, 3, 4}}, {0, {1, 2, 3, 4}}}, {{1, 1}, {2, 2}, {3, 3}, {4, 4}}, 1}};
+  for (const Sequence& sequence : sequences)
+  {
+    Pairing pairing(sequence.channels, sequence.slop);
+    for (const auto& [channel, stamps] : sequence.samples)
+    {
+      pairing.add(channel, stamps);
+    }
+    EXPECT_EQ(pairing.sets, sequence.sets);
+    EXPECT_EQ(pairing.counts().paired, sequence.channels * sequence.sets.size());
+    EXPECT_EQ(pairing.dropped(DropReason::unmatched), sequence.unmatched);
+    EXPECT_EQ(pairing.counts().waiting, sequence.waiting);
+  }
 }
 
 TEST(StampPairing, WithoutSlopADifferenceOfOneNanosecondIsNotPaired)
@@ -30,25 +45,6 @@ TEST(StampPairing, WithoutSlopADifferenceOfOneNanosecondIsNotPaired)
   EXPECT_TRUE(pairing.add(0, ros::Time(10, 0), 0).empty());
   EXPECT_TRUE(pairing.add(1, ros::Time(10, 1), 0).empty());
   EXPECT_EQ(pairing.dropped(DropReason::unmatched), 1U) << "the older sample can no longer be matched";
-}
-
-TEST(StampPairing, UnmatchedSampleIsDroppedAndCounted)
-{
-  Pairing pairing(2);
-  pairing.add(0, {1, 2, 3});
-  pairing.add(1, {1, 3});
-  EXPECT_EQ(pairing.sets, (Sets{{1, 1}, {3, 3}}));
-  EXPECT_EQ(pairing.dropped(DropReason::unmatched), 1U);
-}
-
-TEST(StampPairing, StampsArePairedOnlyWithinTheSlop)
-{
-  Pairing pairing(2, 0.003);
-  pairing.add(0, {100, 200, 300});
-  pairing.add(1, {97, 203, 304});
-  EXPECT_EQ(pairing.sets, (Sets{{100, 97}, {200, 203}}));
-  EXPECT_EQ(pairing.dropped(DropReason::unmatched), 1U);
-  EXPECT_EQ(pairing.counts().waiting, 1U);
 }
 
 TEST(StampPairing, FastAndSlowChannelsArePaired)
@@ -66,30 +62,9 @@ TEST(StampPairing, FastAndSlowChannelsArePaired)
   EXPECT_EQ(pairing.dropped(DropReason::unmatched), 95U);
 }
 
-TEST(StampPairing, SetOfFourChannelsNeedsASampleOfEach)
-{
-  Pairing pairing(4);
-  for (const std::size_t channel : {2U, 0U, 3U})
-  {
-    pairing.add(channel, {5});
-  }
-  EXPECT_TRUE(pairing.sets.empty());
-  pairing.add(1, {5});
-  EXPECT_EQ(pairing.sets, (Sets{{5, 5, 5, 5}}));
-}
-
-TEST(StampPairing, EachSampleOfASingleChannelIsASet)
-{
-  Pairing pairing(1);
-  pairing.add(0, {7});
-  EXPECT_EQ(pairing.sets, (Sets{{7}}));
-}
-
 TEST(StampPairing, SetsDoNotDependOnTheOrderOfArrival)
 {
-  const unsigned seed = 20111U;
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937 random(seed);
+  core::Seeded random(20111U);
   std::array<std::vector<int>, 2> stamps;
   for (auto& channel : stamps)
   {
@@ -259,16 +234,6 @@ TEST(RepeatedStamps, SamplesOfARepeatedStampAreMatchedInTheirOrder)
     }
   }
   EXPECT_EQ(sets, (std::vector<std::vector<std::string>>{{"pose 1", "load 1"}, {"pose 2", "load 2"}}));
-}
-
-TEST(RepeatedStamps, RepeatedSampleOfOneChannelDoesNotShiftLaterSets)
-{
-  // The slop is above the sampling interval, so that the stamps alone permit a shift.
-  Pairing pairing(2, 0.0015);
-  pairing.add(1, {1, 2, 2, 3, 4});
-  pairing.add(0, {1, 2, 3, 4});
-  EXPECT_EQ(pairing.sets, (Sets{{1, 1}, {2, 2}, {3, 3}, {4, 4}}));
-  EXPECT_EQ(pairing.dropped(DropReason::unmatched), 1U);
 }
 
 TEST(RepeatedStamps, RepeatedStampsArePairedWithinTheSlop)

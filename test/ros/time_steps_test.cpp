@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rejected steps, restarts, repeated stamps and late samples in random orders of arrival, against the truth: a
 // simulation whose channels have samples at the multiples of their periods, and which goes back in time now and then.
-#include "../usual_headers.h"
+#include "../seeded.h"
 #include "ros/evaluation/stamp_pairing.h"
 
 using namespace wheel_rail_contact;
@@ -89,9 +89,7 @@ std::vector<Sequence> paired(const std::vector<Sequence>& channels, std::size_t 
 
 TEST(TimeSteps, EverySetHasSamplesFromOneSideOfEachStepBackAndNoneIsMissing)
 {
-  const unsigned seed = 20116U;
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937 random(seed);
+  core::Seeded random(20116U);
   for (const std::vector<int>& periods : std::vector<std::vector<int>>{{1, 1}, {1, 1, 1}, {1, 3}, {10, 1}, {1, 1, 10}})
   {
     for (const std::size_t lag : {0U, 1U, 2U, 20U, 150U, 900U})
@@ -113,9 +111,7 @@ TEST(TimeSteps, EverySetHasSamplesFromOneSideOfEachStepBackAndNoneIsMissing)
 
 TEST(TimeSteps, LateSampleCostsFewSetsAndIsNoStepBack)
 {
-  const unsigned seed = 20117U;
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  std::mt19937 random(seed);
+  core::Seeded random(20117U);
   for (const std::size_t lag : {0U, 2U, 20U, 150U, 900U})
   {
     const Sequence times = simulated(random);

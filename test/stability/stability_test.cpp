@@ -13,16 +13,12 @@ PageEntries readPageFile()
   return readPage(file);
 }
 
-TEST(Verdict, IsTheClassOfTheError)
+TEST(Verdict, IsTheClassOfTheErrorAndAllowsTheNextOneOnlyCloseToTheBorder)
 {
   EXPECT_EQ(Verdict::ofError(0.02).text(), "right");
   EXPECT_EQ(Verdict::ofError(0.021).text(), "error 2–10 %");
   EXPECT_EQ(Verdict::ofError(0.3).text(), "error 10–50 %");
   EXPECT_EQ(Verdict::ofError(std::numeric_limits<double>::quiet_NaN()).text(), "error > 50 %");
-}
-
-TEST(Verdict, AllowsTheNextClassOnlyCloseToTheBorder)
-{
   EXPECT_TRUE(Verdict::ofError(0.0239).allows("right"));
   EXPECT_FALSE(Verdict::ofError(0.0241).allows("right"));
   EXPECT_TRUE(Verdict::ofError(0.081).allows("error 10–50 %"));
@@ -32,17 +28,13 @@ TEST(Verdict, AllowsTheNextClassOnlyCloseToTheBorder)
   EXPECT_FALSE(Verdict::ofError(0.01).allows("refused"));
 }
 
-TEST(Verdict, RoundsANumberToEitherSide)
+TEST(Verdict, RoundsANumberToEitherSideAndFlagsResultsThatAreNotRight)
 {
   const Verdict range = Verdict::rounded(6.105, 0.02).with(Verdict::rounded(0.31, 0.1), "–").with("mm", " ");
   EXPECT_EQ(range.text(), "6.10–0.3 mm");
   EXPECT_TRUE(range.allows("6.12–0.3 mm"));
   EXPECT_TRUE(range.allows("6.10–0.4 mm"));
   EXPECT_FALSE(range.allows("6.08–0.3 mm"));
-}
-
-TEST(Verdict, FlagsResultsThatAreNotRight)
-{
   EXPECT_EQ(Verdict::ofError(0.3).withFlag(0.4, 0.01).text(), "error 10–50 %, flagged");
   EXPECT_FALSE(Verdict::ofError(0.3).withFlag(0.4, 0.01).allows("error 10–50 %"));
   EXPECT_TRUE(Verdict::ofError(0.3).withFlag(0.0119, 0.01).allows("error 10–50 %"));

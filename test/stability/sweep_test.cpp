@@ -45,15 +45,11 @@ TEST(SceneFile, GivesTheSameNumbersWhenReadBack)
     const Scene copy = read(textOf(scene));
     EXPECT_EQ(textOf(copy), textOf(scene));
     ASSERT_EQ(copy.states.size(), scene.states.size());
+    const auto values = [](const WheelsetState& one)
+    { return std::make_tuple(one.y, one.z, one.yaw, one.roll, one.force_z, one.torque_x, one.rail_lateral_force); };
     for (std::size_t k = 0; k < scene.states.size(); ++k)
     {
-      EXPECT_EQ(copy.states[k].y, scene.states[k].y);
-      EXPECT_EQ(copy.states[k].z, scene.states[k].z);
-      EXPECT_EQ(copy.states[k].yaw, scene.states[k].yaw);
-      EXPECT_EQ(copy.states[k].roll, scene.states[k].roll);
-      EXPECT_EQ(copy.states[k].force_z, scene.states[k].force_z);
-      EXPECT_EQ(copy.states[k].torque_x, scene.states[k].torque_x);
-      EXPECT_EQ(copy.states[k].rail_lateral_force, scene.states[k].rail_lateral_force);
+      EXPECT_EQ(values(copy.states[k]), values(scene.states[k]));
     }
     const WheelsetResult expected = firstResult(scene), found = firstResult(copy);
     EXPECT_EQ(found.status, expected.status);

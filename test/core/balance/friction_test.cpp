@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Friction in the balance of a wheelset.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <utility>
-
-#include "../../manchester_scene.h"
 #include "wheel_rail_contact/core/sides.h"
+#include "wheelset_scene.h"
 
 namespace wheel_rail_contact::core
 {
@@ -18,10 +11,7 @@ constexpr double load = 1e5, speed = 20, friction = 0.3;
 
 WheelsetState rollingAt(double y, double yaw)
 {
-  WheelsetState state;
-  state.y = y;
-  state.yaw = yaw;
-  state.force_z = -2 * load;
+  WheelsetState state = stateAt(y, load, yaw);
   state.motion.speed = speed;
   return state;
 }
@@ -44,8 +34,7 @@ TEST(Friction, SpinTakesBackMostOfTheLateralForceOnTheTread)
   for (const CreepMethod method : {CreepMethod::fastsim, CreepMethod::exact})
   {
     WheelsetContact contact(withFriction(manchesterScene(), method));
-    const WheelsetResult& result = contact.evaluate(rollingAt(0, 0));
-    ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
+    const WheelsetResult& result = okResult(contact, rollingAt(0, 0));
     EXPECT_NEAR(result.wheel.left.lateral - result.wheel.left.friction_lateral, 3.5e3, 0.2e3);
     EXPECT_NEAR(result.wheel.left.friction_lateral, -2.9e3, 0.3e3) << toString(method);
     EXPECT_GT(result.patches.front().creep.power, 0);
@@ -55,8 +44,7 @@ TEST(Friction, SpinTakesBackMostOfTheLateralForceOnTheTread)
 TEST(Friction, AWheelsetThatSlidesAcrossHasTheFrictionLimit)
 {
   WheelsetContact contact(withFriction(manchesterScene()));
-  const WheelsetResult& result = contact.evaluate(rollingAt(0, 0.01));
-  ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
+  const WheelsetResult& result = okResult(contact, rollingAt(0, 0.01));
   for (const PatchResult& patch : result.patches)
   {
     EXPECT_NEAR(patch.creep.adhesion_share, 1, 0.02);
@@ -93,8 +81,7 @@ TEST(Friction, NormalForcesAndFrictionTogetherBalanceTheLoad)
 TEST(Friction, AFreeWheelsetHasNoMomentAboutItsAxle)
 {
   WheelsetContact contact(withFriction(manchesterScene()));
-  const WheelsetResult& result = contact.evaluate(rollingAt(0.003, 0));
-  ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
+  const WheelsetResult& result = okResult(contact, rollingAt(0.003, 0));
   EXPECT_LT(std::abs(result.rail_wrench.moment.y()), 1e-3 * friction * load * 0.46);
   EXPECT_NEAR(result.rotation, speed / 0.46, 0.01 * speed / 0.46);
   // The wheels have different rolling radii: their longitudinal forces are opposite and steer the wheelset back.
@@ -146,8 +133,7 @@ TEST(Friction, FreeRollingTurnsTheWorkOfTheDragIntoHeat)
   WheelsetContact contact(withFriction(manchesterScene()));
   for (const double y : {0.001, 0.003, 0.005})
   {
-    const WheelsetResult& result = contact.evaluate(rollingAt(y, 0.001));
-    ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
+    const WheelsetResult& result = okResult(contact, rollingAt(y, 0.001));
     double power = 0;
     for (const PatchResult& patch : result.patches)
     {
@@ -161,8 +147,7 @@ TEST(Friction, ARailBendsByTheWholeForceAndItsMoment)
 {
   const ComplianceTable table = softPads();
   WheelsetContact contact(withFriction(onPads(table)));
-  const WheelsetResult& result = contact.evaluate(rollingAt(0.002, 0.005));
-  ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
+  const WheelsetResult& result = okResult(contact, rollingAt(0.002, 0.005));
   for (const Side side : sides)
   {
     const WheelForces& wheel = result.wheel[side];
@@ -260,8 +245,7 @@ TEST(Friction, SmoothRailsHaveNone)
     config.creep.friction = FrictionLaw{0, 1, 0};
     config.creep.field = method == CreepMethod::exact;
     WheelsetContact contact(config);
-    const WheelsetResult& result = contact.evaluate(rollingAt(0.003, 0.002));
-    ASSERT_EQ(result.status, ContactStatus::ok) << result.reason;
+    const WheelsetResult& result = okResult(contact, rollingAt(0.003, 0.002));
     EXPECT_EQ(result.wheel.left.friction_lateral, 0);
     EXPECT_EQ(result.rotation, speed / config.wheelset.meanRadius());
   }

@@ -34,15 +34,6 @@ ContactModelConfig onOneGrid()
   return config;
 }
 
-TEST(HotPath, CounterSeesAllocations)
-{
-  void* volatile memory = nullptr;  // volatile: an optimizer may remove the unused allocation
-  EXPECT_EQ(allocationsOf([&] { memory = std::malloc(16); }), 1);
-  std::free(memory);
-  EXPECT_EQ(allocationsOf([&] { memory = std::calloc(2, 8); }), 1);
-  std::free(memory);
-}
-
 TEST(HotPath, StiffOrBendingRailsYawAndStressAllocateNothing)
 {
   ContactModelConfig with_stress = onOneGrid(), bending = onOneGrid();

@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-#include <random>
-#include <stdexcept>
-
+#include "../../seeded.h"
 #include "creep_scene.h"
 
 namespace wheel_rail_contact::core
@@ -33,6 +27,14 @@ const EllipseCase ellipse_cases[] = {
     {6.904435e-03, 6.904435e-03, {0, -3.835797e-03, 1.111111}, 0, 0.042769, -0.552437},
     {9.502552e-03, 1.900510e-03, {0, 2.531287e-03, 0}, 0, -0.741540, 0.221284},
     {9.502552e-03, 1.900510e-03, {0, 5.062575e-03, 1.588382}, 0, -0.919495, -0.161675}};
+
+/// Expects the forces to the tolerance [N], and the moments to the tolerance times a lever of 6 mm.
+void expectNear(const CreepForce& found, const CreepForce& expected, double tolerance, CreepMethod method)
+{
+  EXPECT_NEAR(found.x, expected.x, tolerance) << toString(method);
+  EXPECT_NEAR(found.y, expected.y, tolerance) << toString(method);
+  EXPECT_NEAR(found.moment, expected.moment, tolerance * 0.006) << toString(method);
+}
 
 TEST(CreepForces, AreThoseOfTheReferenceCode)
 {
@@ -83,10 +85,7 @@ TEST(CreepForces, AreMirroredWithTheCreepages)
     // Mirror image in the plane y = 0: y and rotations about x and z change their sign.
     const CreepForce mirrored = CreepScene().solve(method, Creepage{creep.x, -creep.y, -creep.spin}).force;
     // The sweeps of the exact method are not symmetric; they end at 5e-4.
-    const double tolerance = 2e-3 * CreepScene::friction_limit;
-    EXPECT_NEAR(mirrored.x, force.x, tolerance) << toString(method);
-    EXPECT_NEAR(mirrored.y, -force.y, tolerance) << toString(method);
-    EXPECT_NEAR(mirrored.moment, -force.moment, tolerance * 0.006) << toString(method);
+    expectNear(mirrored, {force.x, -force.y, -force.moment}, 2e-3 * CreepScene::friction_limit, method);
   }
 }
 
@@ -103,9 +102,7 @@ TEST(CreepForces, OfAPatchAtOtherCreepagesAreThoseOfANewOne)
     const CreepForce expected = CreepScene::solve(method, problem).force;
     solver->solveAgain(problem, solution);
     const double tolerance = (method == CreepMethod::exact ? 1e-3 : 1e-12) * CreepScene::friction_limit;  // of sweeps
-    EXPECT_NEAR(solution.force.x, expected.x, tolerance) << toString(method);
-    EXPECT_NEAR(solution.force.y, expected.y, tolerance) << toString(method);
-    EXPECT_NEAR(solution.force.moment, expected.moment, tolerance * 0.006) << toString(method);
+    expectNear(solution.force, expected, tolerance, method);
   }
 }
 
@@ -123,9 +120,7 @@ TEST(CreepForces, WheelThatRollsBackwardIsOneTurnedAroundTheNormal)
     problem.creepage = {-creep.x, -creep.y, creep.spin};
     const CreepSolution backward = CreepScene::solve(method, problem);
     const double rounding = 1e-9 * CreepScene::friction_limit;
-    EXPECT_NEAR(backward.force.x, -forward.force.x, rounding) << toString(method);
-    EXPECT_NEAR(backward.force.y, -forward.force.y, rounding) << toString(method);
-    EXPECT_NEAR(backward.force.moment, forward.force.moment, rounding) << toString(method);
+    expectNear(backward.force, {-forward.force.x, -forward.force.y, forward.force.moment}, rounding, method);
     EXPECT_NEAR(backward.power, forward.power, rounding) << toString(method);
   }
 }
@@ -148,24 +143,22 @@ TEST(CreepForces, FastsimDoesNotJumpWhereTwoContactsOnAGridJoin)
 
 TEST(CreepForces, FrictionNeverDrives)
 {
-  const unsigned seed = 20;
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> unit(-1, 1);
+  Seeded random(20);
   for (const CreepMethod method : creeping_methods)
   {
     const auto solver = makeCreepSolver(method);
     CreepSolution solution;
     for (int i = 0; i < 60; ++i)
     {
-      const double size = std::pow(10, 2 * unit(random));
-      const CreepScene scene = {0.006 * std::exp2(unit(random)), 0.006 * std::exp2(2 * unit(random))};
+      const double size = std::pow(10, 2 * random.unit());
+      const CreepScene scene = {0.006 * std::exp2(random.unit()), 0.006 * std::exp2(2 * random.unit())};
       CreepProblem problem =
-          scene.problem({size * 1e-3 * unit(random), size * 1e-3 * unit(random), size * 0.3 * unit(random)});
-      problem.speed = unit(random) < 0 ? -10 : 10;
+          scene.problem({size * 1e-3 * random.unit(), size * 1e-3 * random.unit(), size * 0.3 * random.unit()});
+      problem.speed = random.unit() < 0 ? -10 : 10;
       solver->solve(problem, false, solution);
-      EXPECT_EQ(solution.status, CreepStatus::converged) << toString(method) << ", seed " << seed << ", case " << i;
-      EXPECT_GE(solution.power, 0) << toString(method) << ", seed " << seed << ", case " << i;
-      EXPECT_LE(solution.adhesion_share, 1 + 1e-12) << toString(method) << ", seed " << seed << ", case " << i;
+      EXPECT_EQ(solution.status, CreepStatus::converged) << toString(method) << ", case " << i;
+      EXPECT_GE(solution.power, 0) << toString(method) << ", case " << i;
+      EXPECT_LE(solution.adhesion_share, 1 + 1e-12) << toString(method) << ", case " << i;
     }
   }
 }
@@ -200,24 +193,21 @@ TEST(CreepForces, MethodNoneAndNoFrictionHaveNoForce)
 
 TEST(CreepForces, InvalidProblemsAreRefused)
 {
-  const CreepProblem good = CreepScene().problem({0.001, 0, 0});
+  const auto expect_refused = [](CreepMethod method, auto spoil)
+  {
+    CreepProblem problem = CreepScene().problem({0.001, 0, 0});
+    spoil(problem);
+    EXPECT_EQ(CreepScene::solve(method, problem).status, CreepStatus::invalid_problem) << toString(method);
+  };
   for (const CreepMethod method : creeping_methods)
   {
-    CreepProblem problem = good;
-    problem.creepage.spin = std::nan("");
-    EXPECT_EQ(CreepScene::solve(method, problem).status, CreepStatus::invalid_problem);
-    problem = good;
-    problem.friction.coefficient = 2.1;
-    EXPECT_EQ(CreepScene::solve(method, problem).status, CreepStatus::invalid_problem);
+    expect_refused(method, [](CreepProblem& problem) { problem.creepage.spin = std::nan(""); });
+    expect_refused(method, [](CreepProblem& problem) { problem.friction.coefficient = 2.1; });
   }
   for (const CreepMethod method : {CreepMethod::fastsim, CreepMethod::exact})
   {
-    CreepProblem problem = good;
-    problem.pressure.resize(3, 24);
-    EXPECT_EQ(CreepScene::solve(method, problem).status, CreepStatus::invalid_problem);
-    problem = good;
-    problem.pressure(3, 3) = -1;
-    EXPECT_EQ(CreepScene::solve(method, problem).status, CreepStatus::invalid_problem);
+    expect_refused(method, [](CreepProblem& problem) { problem.pressure.resize(3, 24); });
+    expect_refused(method, [](CreepProblem& problem) { problem.pressure(3, 3) = -1; });
   }
   EXPECT_THROW(ellipseCreepForce({0, 0.005, 1e5}, {}, CreepMethod::exact), std::invalid_argument);
   EXPECT_THROW(ellipseCreepForce({0.006, 0.005, 1e5}, {}, CreepMethod::exact, {-0.1, 1, 0}), std::invalid_argument);

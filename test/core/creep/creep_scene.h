@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cmath>
-
+#include "../../usual_headers.h"
 #include "wheel_rail_contact/core/creep.h"
 
 namespace wheel_rail_contact::core

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
-#include <cmath>
 
+#include "../../usual_headers.h"
 #include "wheel_rail_contact/core/creep.h"
 
 namespace wheel_rail_contact::core

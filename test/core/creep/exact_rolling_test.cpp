@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <random>
-
+#include "../../seeded.h"
 #include "core/constants.h"
 #include "core/creep/tangential_influence.h"
 #include "creep_scene.h"
@@ -163,22 +159,20 @@ TEST(ExactRolling, WarmStartNeedsFewerSweepsForTheSameForce)
 TEST(ExactRolling, PatchesOfAnyShapeConverge)
 {
   // Random spots of pressure, up to four on a grid, with holes and single cells.
-  const unsigned seed = 4;
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> unit(0, 1);
+  Seeded random(4);
+  const auto unit = [&random] { return random.within(0, 1); };
   const auto solver = makeCreepSolver(CreepMethod::exact);
   CreepSolution solution;
   for (int i = 0; i < 100; ++i)
   {
-    const int nx = 4 + static_cast<int>(20 * unit(random)), ny = 4 + static_cast<int>(30 * unit(random));
-    const double size = std::pow(10, 4 * unit(random) - 5);
-    CreepProblem problem =
-        ellipseProblem({0.002 + 0.01 * unit(random), 0.002 + 0.01 * unit(random), 1e5, nx, ny},
-                       {size * (unit(random) - 0.5), size * (unit(random) - 0.5), 300 * size * unit(random)});
+    const int nx = 4 + static_cast<int>(20 * unit()), ny = 4 + static_cast<int>(30 * unit());
+    const double size = std::pow(10, 4 * unit() - 5);
+    CreepProblem problem = ellipseProblem({0.002 + 0.01 * unit(), 0.002 + 0.01 * unit(), 1e5, nx, ny},
+                                          {size * (unit() - 0.5), size * (unit() - 0.5), 300 * size * unit()});
     problem.pressure = 0;
-    for (double spots = 4 * unit(random); spots > 0; --spots)
+    for (double spots = 4 * unit(); spots > 0; --spots)
     {
-      const double u = nx * unit(random), v = ny * unit(random), r = 0.3 + 0.5 * nx * unit(random), top = unit(random);
+      const double u = nx * unit(), v = ny * unit(), r = 0.3 + 0.5 * nx * unit(), top = unit();
       for (int k = 0; k < nx * ny; ++k)
       {
         const double x = (k % nx - u) / r, y = (k / nx - v) / r;
@@ -188,8 +182,7 @@ TEST(ExactRolling, PatchesOfAnyShapeConverge)
     }
     solver->solve(problem, false, solution);
     const bool is_empty = !(problem.pressure.sum() > 0);
-    EXPECT_EQ(solution.status, is_empty ? CreepStatus::invalid_problem : CreepStatus::converged)
-        << "seed " << seed << ", case " << i;
+    EXPECT_EQ(solution.status, is_empty ? CreepStatus::invalid_problem : CreepStatus::converged) << "case " << i;
   }
 }
 }  // namespace

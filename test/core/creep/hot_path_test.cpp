@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gtest/gtest.h>
-
 #include "../allocation_counter.h"
 #include "creep_scene.h"
 
@@ -19,14 +17,14 @@ TEST(CreepHotPath, AllocatesNothingForKnownShapes)
     CreepProblem second = CreepScene{0.004, 0.009}.problem({1e-3, -3e-4, -0.1});
     solver->solve(first, false, solution);
     solver->solve(second, false, solution);
-    allocations = 0;
-    counting = true;
-    solver->solve(first, true, solution);
-    solver->solve(second, true, solution);
-    solver->solve(second, false, solution);
-    solver->solveAgain(second, solution);
-    counting = false;
-    EXPECT_EQ(allocations, 0) << toString(method);
+    const auto solve_again = [&]
+    {
+      solver->solve(first, true, solution);
+      solver->solve(second, true, solution);
+      solver->solve(second, false, solution);
+      solver->solveAgain(second, solution);
+    };
+    EXPECT_EQ(allocationsOf(solve_again), 0) << toString(method);
   }
 }
 }  // namespace

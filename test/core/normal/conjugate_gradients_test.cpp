@@ -265,17 +265,13 @@ TEST(ConjugateGradients, RejectsAnInvalidProblem)
   EXPECT_EQ(status([&](NormalProblem& p) { p.value = nan; }), SolveStatus::invalid_problem);
 }
 
-TEST(ConjugateGradients, ReportsTheIterationLimit)
+TEST(ConjugateGradients, ReportsTheIterationLimitAndAStalledResidual)
 {
-  const NormalSolution solution = solvedTo(1e-9, 3);
+  NormalSolution solution = solvedTo(1e-9, 3);
   EXPECT_EQ(solution.status, SolveStatus::iteration_limit);
   EXPECT_FALSE(isUsable(solution.status));
-}
-
-// Rounding leaves a residual of about 1e-16, which further products do not decrease.
-TEST(ConjugateGradients, ReportsAStalledResidual)
-{
-  const NormalSolution solution = solvedTo(1e-18, 100000);
+  // Rounding leaves a residual of about 1e-16, which further products do not decrease.
+  solution = solvedTo(1e-18, 100000);
   EXPECT_EQ(solution.status, SolveStatus::stalled);
   EXPECT_FALSE(isUsable(solution.status));
   EXPECT_LT(solution.residual, 1e-12);

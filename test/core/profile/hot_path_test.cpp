@@ -12,13 +12,6 @@ namespace
 using section_scenes::profileOf;
 using section_scenes::shared;
 
-TEST(HotPath, CounterSeesAnAllocation)
-{
-  void* volatile memory = nullptr;  // volatile: an optimizer may remove the unused allocation
-  EXPECT_EQ(allocationsOf([&] { memory = std::malloc(16); }), 1);
-  std::free(memory);
-}
-
 // The parts begin and end between sections of one another, and their profiles have different numbers of curves.
 TEST(HotPath, ChangingProfileAllocatesNothingAfterReserve)
 {

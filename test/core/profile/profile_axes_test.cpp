@@ -104,14 +104,6 @@ TEST_F(OriginTest, OfAWheelIsItsRunningCircle)
   EXPECT_LT(deviation(read(moved(wheel_, 0, 0.012), ProfileKind::wheel, reading).profile, wheel_), 1e-9);
 }
 
-TEST_F(OriginTest, OfAnotherPlaceOfAWheelIsRefused)
-{
-  for (const double y : {-0.025, -0.02, 0.015, 0.02, 0.03})
-  {
-    EXPECT_TRUE(contains(refusal(moved(wheel_, y, 0), ProfileKind::wheel), "running circle")) << y;
-  }
-}
-
 TEST_F(OriginTest, OfASimpackWheelMayBeItsFlangeBack)
 {
   const auto listed = changed(wheel_, [](const Point& p) { return Point{1e3 * p.y + 70, -1e3 * p.z + 28}; });
@@ -132,16 +124,16 @@ TEST_F(OriginTest, ShiftMovesAWheelFromItsFlangeBackToo)
   EXPECT_NEAR(described.report.moved_z, -0.010, of_top);
 }
 
-TEST_F(OriginTest, OfAnotherBodyIsRefused)
+TEST_F(OriginTest, OfAnotherBodyOrPlaceIsRefused)
 {
   EXPECT_TRUE(contains(refusal(wheel_, ProfileKind::wheel, with(Origin::crown)), "belongs to a rail"));
   EXPECT_TRUE(contains(refusal(rail_, ProfileKind::rail, with(Origin::flange_back)), "belongs to a wheel"));
   EXPECT_TRUE(contains(refusal(rail_, ProfileKind::rail_section, with(Origin::foot)), "keeps its coordinates"));
-}
-
-// The flange of a wheel with z reversed is a small head; its tread lies deep below it.
-TEST_F(OriginTest, WheelIsNotTakenForARail)
-{
+  for (const double y : {-0.025, -0.02, 0.015, 0.02, 0.03})
+  {
+    EXPECT_TRUE(contains(refusal(moved(wheel_, y, 0), ProfileKind::wheel), "running circle")) << y;
+  }
+  // The flange of a wheel with z reversed is a small head; its tread lies deep below it.
   for (const double sign : {-1.0, 1.0})
   {
     EXPECT_TRUE(contains(refusal(scaled(wheel_, sign, -1), ProfileKind::rail), "not a rail"));

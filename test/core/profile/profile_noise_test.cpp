@@ -97,19 +97,11 @@ double noiseOfHeights(double noise, double reach)
   return estimatedNoise(points).value().largest;
 }
 
-TEST(NoiseEstimate, OfHeightsAloneIsThatOfTheFlatPart)
+TEST(NoiseEstimate, OfAPartIsThatOfThisPartAndOfFewPointsIsNotKnown)
 {
   EXPECT_NEAR(noiseOfHeights(4e-6, 1), 5e-6, 1.5e-6) << "seed " << seed;
-}
-
-// A scanner may see a worn and shiny running band less well than the rest.
-TEST(NoiseEstimate, OfAPartIsThatOfThisPart)
-{
+  // A scanner may see a worn and shiny running band less well than the rest.
   EXPECT_NEAR(noiseOfHeights(5e-6, 12 * mm), 5e-6, 2e-6) << "seed " << seed;
-}
-
-TEST(NoiseEstimate, OfFewPointsIsNotKnown)
-{
   EXPECT_FALSE(estimatedNoise(noisy(rail60E1(), 0, 12 * mm)).has_value());
 }
 
@@ -268,16 +260,12 @@ TEST(MissingPoints, OfAStraightLineAreThoseOfAMeasurement)
   EXPECT_FALSE(drawn.errorWithin(0, drawn.length()).missing);
 }
 
-TEST(MissingPoints, AreThoseOfAFileThatIsTooCoarse)
+TEST(MissingPoints, AreThoseOfAFileThatIsTooCoarseUnlessItIsEvenlyCoarse)
 {
   const Profile read = railOf(noisy(rail60E1(), 0, 6 * mm), 9).profile;
   EXPECT_TRUE(read.errorAt(parameterAt(read, 0)).missing);
-}
-
-TEST(MissingPoints, AreNotSeenInAnEvenlyCoarseFile)
-{
-  const Profile read = railOf(noisy(rail60E1(), 0, 3 * mm), 9).profile;
-  EXPECT_FALSE(read.errorWithin(0, read.length()).missing);
+  const Profile even = railOf(noisy(rail60E1(), 0, 3 * mm), 9).profile;
+  EXPECT_FALSE(even.errorWithin(0, even.length()).missing);
 }
 
 // One bad point makes a peak of the pressure. Corners of the profile, and a kink, are no bad points.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wheel_rail_contact/core/profile_reader.h"
 
+#include "../../seeded.h"
 #include "core/profile/curve/spline.h"
 #include "profile_helpers.h"
 
@@ -28,9 +29,8 @@ void expectTextRejected(const std::string& text, std::size_t line, const std::st
 }
 
 /// The points in a random order that is the same with every standard library. The order of std::shuffle is not.
-std::vector<Point> shuffled(std::vector<Point> points, unsigned seed)
+std::vector<Point> shuffled(std::vector<Point> points, Seeded& random)
 {
-  std::mt19937 random(seed);
   for (std::size_t i = points.size() - 1; i > 0; --i)
   {
     std::swap(points[i], points[random() % (i + 1)]);
@@ -151,9 +151,8 @@ TEST(ProfileFiles, ImplausibleProfilesAreRejected)
   std::vector<Point> points = rail;
   std::swap(points[100], points[110]);
   rejected(points, 103, "run back");
-  const unsigned seed = 10;
-  SCOPED_TRACE("seed " + std::to_string(seed));
-  rejected(shuffled(rail, seed), 4, "run back");
+  Seeded random(10);
+  rejected(shuffled(rail, random), 4, "run back");
   points = rail;
   points.insert(points.end(), rail.rbegin(), rail.rend());
   rejected(points, rail.size() + 6, "run back");

@@ -280,13 +280,10 @@ TEST_F(SlicesTest, PlacesAndProfilesAreReadBack)
   EXPECT_LT(deviation(*series[0].profile, pointsOf(a_)), slice_rounding);
   EXPECT_LT(deviation(*series[1].profile, pointsOf(b_)), slice_rounding);
   EXPECT_TRUE(series[0].places.empty());
-}
-
-TEST_F(SlicesTest, ScaleIsThatOfThePlacesInMillimetres)
-{
-  const RailSeries series = read("0 1\n2\n0 0 0\n1\n-1500 'a.txt'\n250 'b.txt'\n");
-  EXPECT_DOUBLE_EQ(series[0].x, -1.5);
-  EXPECT_DOUBLE_EQ(series[1].x, 0.25);
+  // The scale is that of the places in millimetres.
+  const RailSeries scaled_places = read("0 1\n2\n0 0 0\n1\n-1500 'a.txt'\n250 'b.txt'\n");
+  EXPECT_DOUBLE_EQ(scaled_places[0].x, -1.5);
+  EXPECT_DOUBLE_EQ(scaled_places[1].x, 0.25);
 }
 
 // A curve less than 1 wide is in metres, any other in millimetres.

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cmath>
-#include <random>
-
+#include "../../usual_headers.h"
 #include "wheel_rail_contact/core/stress.h"
 
 /// Pressures whose stress is known.

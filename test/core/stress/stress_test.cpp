@@ -12,11 +12,16 @@
 
 using namespace wheel_rail_contact::core;
 
-TEST(Stress, VonMisesStressOfUniaxialAndShearStress)
+TEST(Stress, OfUniaxialShearAndHydrostaticStates)
 {
   EXPECT_DOUBLE_EQ(vonMises({5, 0, 0, 0, 0, 0}), 5);
   EXPECT_DOUBLE_EQ(vonMises({0, 0, 0, 0, 2, 0}), 2 * std::sqrt(3.0));
   EXPECT_NEAR(vonMises({-7, -7, -7, 0, 0, 0}), 0, 1e-14);
+  for (const double principal : principalStresses({-3, -3, -3, 0, 0, 0}))
+  {
+    EXPECT_DOUBLE_EQ(principal, -3);
+  }
+  EXPECT_DOUBLE_EQ(maxShear({-3, -3, -3, 0, 0, 0}), 0);
 }
 
 TEST(Stress, PrincipalStressesAreTheEigenvaluesOfTheTensor)
@@ -35,15 +40,6 @@ TEST(Stress, PrincipalStressesAreTheEigenvaluesOfTheTensor)
     }
     EXPECT_NEAR(maxShear(s), 0.5 * (expected[2] - expected[0]), 1e-7);
   }
-}
-
-TEST(Stress, HydrostaticStressHasEqualPrincipalStresses)
-{
-  for (const double principal : principalStresses({-3, -3, -3, 0, 0, 0}))
-  {
-    EXPECT_DOUBLE_EQ(principal, -3);
-  }
-  EXPECT_DOUBLE_EQ(maxShear({-3, -3, -3, 0, 0, 0}), 0);
 }
 
 TEST(Stress, StrainFollowsHookesLaw)
@@ -98,12 +94,6 @@ TEST(StressLayers, EqualTheSumOfAllCells)
       }
     }
   }
-}
-
-TEST(StressLayers, RejectNegativeDepths)
-{
-  const Cells cells = pressures::random(3, 2, 1);
-  EXPECT_THROW(stressLayers(cells.grid, cells.pressure, 0.28, {0.1, -0.1}), std::invalid_argument);
 }
 
 namespace
@@ -234,7 +224,7 @@ TEST(StressAt, FarAwayItIsThatOfAPointForce)
   EXPECT_NEAR(stress.yz, factor * y * z, 1e-4 * std::abs(factor));
 }
 
-TEST(StressAt, RejectsWrongInput)
+TEST(StressAt, RejectsWrongInputAndTheShearStressAtACornerOfTheSurface)
 {
   const Cells cells = pressures::random(3, 2, 1);
   EXPECT_THROW(stressAt(cells.grid, Eigen::ArrayXXd::Zero(2, 3), nu, {0, 0, 1}), std::invalid_argument);
@@ -245,11 +235,7 @@ TEST(StressAt, RejectsWrongInput)
   EXPECT_THROW(below(cells, nan, 0, 1), std::invalid_argument);
   EXPECT_THROW(below(cells, 0, nan, 1), std::invalid_argument);
   EXPECT_THROW(stressAt(cells.grid, nan * cells.pressure, nu, {0, 0, 1}), std::invalid_argument);
-}
-
-TEST(StressAt, ShearStressAtACornerOfTheSurfaceIsRefused)
-{
-  const Cells cells = pressures::random(3, 2, 1);
+  EXPECT_THROW(stressLayers(cells.grid, cells.pressure, 0.28, {0.1, -0.1}), std::invalid_argument);
   const double x = cells.grid.x(1) - 0.5 * cells.grid.dx, y = cells.grid.y(1) - 0.5 * cells.grid.dy;
   EXPECT_THROW(below(cells, x, y, 0), std::invalid_argument);
   EXPECT_TRUE(std::isfinite(below(cells, x, y, 1e-12).xy));
@@ -398,15 +384,14 @@ TEST_P(PointForceLoop, SumsEqualThoseInDoublePrecision)
       chi_yy += force[f] * (1 / (r * (r + z)) - dy * dy * turned);
       chi_xy -= force[f] * dx * dy * turned;
     }
-    EXPECT_NEAR(sums.one[k], one, 1e-5 * one);
-    EXPECT_NEAR(sums.x[k], x_sum, 1e-5 * one);
-    EXPECT_NEAR(sums.y[k], y_sum, 1e-5 * one);
-    EXPECT_NEAR(sums.xx[k], xx, 1e-5 * one);
-    EXPECT_NEAR(sums.xy[k], xy, 1e-5 * one);
-    EXPECT_NEAR(sums.yy[k], yy, 1e-5 * one);
-    EXPECT_NEAR(sums.chi_xx[k], chi_xx, 1e-5 * one);
-    EXPECT_NEAR(sums.chi_yy[k], chi_yy, 1e-5 * one);
-    EXPECT_NEAR(sums.chi_xy[k], chi_xy, 1e-5 * one);
+    const std::pair<double, double> found_and_expected[] = {
+        {sums.one[k], one},       {sums.x[k], x_sum},       {sums.y[k], y_sum},
+        {sums.xx[k], xx},         {sums.xy[k], xy},         {sums.yy[k], yy},
+        {sums.chi_xx[k], chi_xx}, {sums.chi_yy[k], chi_yy}, {sums.chi_xy[k], chi_xy}};
+    for (const auto& [found, expected] : found_and_expected)
+    {
+      EXPECT_NEAR(found, expected, 1e-5 * one);
+    }
   }
 }
 

@@ -95,16 +95,12 @@ TEST_F(PlacementTest, RailTopsAreInTheTrackPlaneAndGaugeFacesAtGauge)
 
 // By hand: at 14.3 mm below the crown, the side of 60E1 is 35.9998 mm from the axis. The side of an upright rail is
 // nearly vertical (1:20).
-TEST_F(PlacementTest, AxisOfUpright60E1IsHalfAHeadOutsideTheGauge)
+TEST_F(PlacementTest, AxisOfAnUprightHeadIsHalfOfItOutsideTheGaugeAndInclinationTurnsItInward)
 {
   const PlacedRail rail(std::make_shared<Profile>(rail60E1()), {1.435, 0.0143, 0}, Side::left);
   const PlanePoint crown = rail.place({0, 0, 1, 0, 0, 0});
   EXPECT_NEAR(crown.y, 0.7175 + 0.0359998, 1e-7);  // half of the last digit of 35.9998 mm
   EXPECT_NEAR(crown.z, 0, rounding);
-}
-
-TEST_F(PlacementTest, InclinationTurnsTheHeadTowardsTheTrackCentre)
-{
   const PlacedRail upright(scene_.rail_profile.left, {1.435, 0.014, 0}, Side::left);
   const PlacedRail inclined(scene_.rail_profile.left, {1.435, 0.014, 0.025}, Side::left);
   const double middle = 0.5 * scene_.rail_profile.left->length();

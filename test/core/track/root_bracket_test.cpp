@@ -23,19 +23,11 @@ int evaluations(double x, double slope, double zero, const Function& function)
 }
 }  // namespace
 
-TEST(RootBracketTest, TakesNewtonStepsWhileTheyHalveTheFunction)
+TEST(RootBracketTest, TakesNewtonStepsOnlyWhileTheyHalveTheFunction)
 {
   EXPECT_LE(evaluations(3, -2.5, 1, [](double x) { return 2 * (1 - x); }), 15);
-}
-
-// A slope that is half of the true one makes Newton's method swing about the zero without end.
-TEST(RootBracketTest, EndsWhereNewtonSwings)
-{
+  // A slope that is half of the true one makes Newton's method swing about the zero without end.
   EXPECT_LE(evaluations(1.5, -1, 1, [](double x) { return 1.95 * (1 - x); }), 6);
-}
-
-TEST(RootBracketTest, HalvesTheBracketOfAJump)
-{
   EXPECT_LE(evaluations(0, -1, 0.3, [](double x) { return x < 0.3 ? 1 - x : -5 - x; }), 70);
 }
 }  // namespace wheel_rail_contact::core

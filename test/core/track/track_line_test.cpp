@@ -16,6 +16,15 @@ std::vector<double> valuesOf(const LineStation& station)
   return {station.cross_level, left.lateral, left.vertical, left.roll, right.lateral, right.vertical, right.roll};
 }
 
+void expectNear(const LineStation& found, const LineStation& expected, double tolerance)
+{
+  const std::vector<double> values = valuesOf(found), wanted = valuesOf(expected);
+  for (std::size_t k = 0; k < values.size(); ++k)
+  {
+    EXPECT_NEAR(values[k], wanted[k], tolerance) << "x = " << expected.x << ", quantity " << k;
+  }
+}
+
 /// Station whose quantities are different multiples of `value` [m], [rad].
 LineStation stationAt(double x, double value)
 {
@@ -74,12 +83,7 @@ TEST_F(TrackLineTest, PassesThroughAllStations)
   {
     const LineStation found = line.at(station.x);
     EXPECT_EQ(found.x, station.x);
-    const std::vector<double> values = valuesOf(found), expected = valuesOf(station);
-    for (std::size_t k = 0; k < values.size(); ++k)
-    {
-      // The polynomial of an interval is evaluated at its end: rounding of its terms.
-      EXPECT_NEAR(values[k], expected[k], 10 * line_rounding) << "x = " << station.x << ", quantity " << k;
-    }
+    expectNear(found, station, 10 * line_rounding);  // the polynomial is evaluated at its end: rounding of its terms
   }
 }
 
@@ -132,11 +136,7 @@ TEST_F(TrackLineTest, ReproducesAStraightLine)
   const TrackLine line("straight", stations);
   for (double x = line.begin(); x <= line.end(); x += 0.0137)
   {
-    const std::vector<double> values = valuesOf(line.at(x)), expected = valuesOf(stationAt(x, straight(x)));
-    for (std::size_t k = 0; k < values.size(); ++k)
-    {
-      EXPECT_NEAR(values[k], expected[k], 10 * line_rounding) << "x = " << x << ", quantity " << k;
-    }
+    expectNear(line.at(x), stationAt(x, straight(x)), 10 * line_rounding);
   }
 }
 

@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The services ~evaluate and ~static_start, and held results.
-#include <gtest/gtest.h>
-
 #include <atomic>
-#include <cstdint>
-#include <limits>
-#include <string>
 #include <thread>
-#include <vector>
 
 #include <wheel_rail_contact/EvaluateWheelset.h>
 #include "../message_bytes.h"
