@@ -81,7 +81,7 @@ std::vector<Situation> situations()
   list.push_back({"yaw 60 mrad", standard(), stateAt(0, 1e5, 0.06)});
   list.push_back({"yaw 60 mrad, y = 6 mm", standard(), stateAt(6e-3, 1e5, 0.06)});
   list.push_back({"yaw -60 mrad, y = 6 mm", standard(), stateAt(6e-3, 1e5, -0.06)});
-  list.push_back({"gauge 1.42 m, y = 3 mm", withGauge(1.42), stateAt(3e-3, 1e5)});
+  list.push_back({"gauge 1.428 m, y = 3 mm", withGauge(1.428), stateAt(3e-3, 1e5)});
   list.push_back({"gauge 1.47 m, y = 8 mm", withGauge(1.47), stateAt(8e-3, 1e5)});
   for (const double y : {6e-3, 6.5e-3, 7.5e-3, 8e-3})
   {
