@@ -150,10 +150,10 @@ Sides<RailCourse> coursesAt(const TrackLine& line, double distance, const Sides<
     return RailCourse{slopes, {slopes, bends}};
   };
   Sides<RailCourse> courses(course);
-  const auto highestOf = [&](Side side) {
+  const auto highest_of = [&](Side side) {
     return Highest(radius[side], {courses[side].slope.vertical, courses[side].motion.bend.vertical});
   };
-  Sides<Highest> highest(highestOf);
+  Sides<Highest> highest(highest_of);
   for (double way = -farthest; way < farthest + 0.5 * scan_step; way += scan_step)
   {
     if (distance + way < line.begin() || distance + way > line.end())
