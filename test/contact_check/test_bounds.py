@@ -10,6 +10,7 @@ from wheel_rail_contact.msg import ContactPatch, PatchCreep, WheelsetContact
 def result(status=WheelsetContact.OK, seconds=1, **quantities):
     message = WheelsetContact(status=status, status_text="" if status == 0 else "a reason")
     message.header.stamp = genpy.Time(seconds)
+    message.wheelset.position.z = 0.46
     if status <= WheelsetContact.LIFT_OFF:
         message.left_wheel.vertical_force = message.right_wheel.vertical_force = 50e3
         message.patches = [ContactPatch(side=ContactPatch.RIGHT, **quantities)]
@@ -88,6 +89,8 @@ class Bounds(unittest.TestCase):
         self.assertEqual(violations({}, [small])["loads"], "the mean wheel load is 50 N, at least 1000 N are required; loads "
                          "must be in N, and force.z negative")
         self.assertEqual(violations({"least_load": 40}, [small]), {})
+        small.wheelset.position.z *= 0.2  # a model
+        self.assertEqual(violations({}, [small]), {})
 
     def test_patches_of_a_held_result_are_not_checked(self):
         held = result(max_pressure=3e9)
