@@ -80,7 +80,7 @@ struct Row
 };
 
 /// Name of a column as in `rules`: in lower case, with _ in place of blanks, points and hyphens.
-std::string keyOf(const std::string& name)
+std::string columnKey(const std::string& name)
 {
   static const std::regex gaps("[\\s._-]+"), place("s|distance|station|chainage|mileage"), cross("crosslevel");
   const std::string key = std::regex_replace(lowerCase(name.substr(0, longest_word)), gaps, "_");
@@ -175,7 +175,7 @@ class LineFile
 
   void addColumn(std::size_t index, const TableTitle& title)
   {
-    const std::string key = keyOf(title.name);
+    const std::string key = columnKey(title.name);
     const auto rule = std::find_if(rules.begin(), rules.end(), [&](const ColumnRule& r) { return key == r.name; });
     if (rule == rules.end())
     {

@@ -248,7 +248,8 @@ class StampPairing
     {
       return {&lower};
     }
-    const auto step = upper.nextStepOver(low.stamp), end = upper.waiting.end();
+    const auto step = upper.nextStepOver(low.stamp);
+    const auto end = upper.waiting.end();
     const auto reached = upper.firstFrom(step, low.stamp - slop_);
     if (step == end ? upper.waiting.size() > 1 : reached != end && reached->stamp > low.stamp + slop_)
     {

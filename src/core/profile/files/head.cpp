@@ -51,7 +51,7 @@ void cutToHead(Points& points)
 }
 
 /// The points between two grooves, from the gauge side to the field side, and the range of y of their upper part [m].
-struct Head
+struct HeadPart
 {
   Points points;
   double left, right;
@@ -60,7 +60,7 @@ struct Head
 };
 
 /// The heads of an outline, from the gauge side. One whose sides both fall by the depth of a groove stands alone.
-std::vector<Head> headsOf(Points points)
+std::vector<HeadPart> headsOf(Points points)
 {
   if (points.back().y < points.front().y)
   {
@@ -86,11 +86,11 @@ std::vector<Head> headsOf(Points points)
     }
   }
   grooves.push_back(points.size() - 1);
-  std::vector<Head> heads;
+  std::vector<HeadPart> heads;
   for (std::size_t k = 0; k + 1 < grooves.size(); ++k)
   {
     const auto begin = points.begin() + static_cast<std::ptrdiff_t>(grooves[k]);
-    Head head{Points(begin, points.begin() + static_cast<std::ptrdiff_t>(grooves[k + 1]) + 1), 0, 0};
+    HeadPart head{Points(begin, points.begin() + static_cast<std::ptrdiff_t>(grooves[k + 1]) + 1), 0, 0};
     std::tie(head.left, head.right) = widthAt(head.points, least_groove);
     if (!heads.empty() && head.left < heads.back().right)
     {
@@ -140,8 +140,8 @@ std::string keepHead(const TextFile& file, Points& points)
   {
     cutToHead(points);
   }
-  const std::vector<Head> heads = headsOf(points);
-  const auto is_narrow = [&heads](const Head& other) { return heads.back().width() < head_ratio * other.width(); };
+  const std::vector<HeadPart> heads = headsOf(points);
+  const auto is_narrow = [&heads](const HeadPart& other) { return heads.back().width() < head_ratio * other.width(); };
   const auto other = std::find_if(heads.begin(), heads.end() - 1, is_narrow);
   const Points& last = heads.back().points;
   const double top = std::max_element(last.begin(), last.end(), isLower)->z;
