@@ -23,8 +23,8 @@ Number* make(const char* name, Value value, Value least, Value most, const char*
   return property;
 }
 
-constexpr auto makeFloat = make<FloatProperty, float>;
-constexpr auto makeInt = make<IntProperty, int>;
+constexpr auto make_float = make<FloatProperty, float>;
+constexpr auto make_int = make<IntProperty, int>;
 
 void connectBelow(Property* property, const std::function<void()>& changed)
 {
@@ -52,9 +52,9 @@ DisplayProperties::DisplayProperties(Property* parent)
                                      "Draw the contact of each side at a fixed place, with its normal upward, so that "
                                      "the view follows it to the flange; both sides: side by side",
                                      parent);
-  contact_spacing_ = makeFloat("Spacing", 0.2F, 0, 10, "Distance between the contacts of both sides in the picture [m]",
-                               follow_contact_);
-  line_width_ = makeFloat("Line Width", 0.002F, 1e-6F, 1, "Width of all lines [m]", parent);
+  contact_spacing_ = make_float("Spacing", 0.2F, 0, 10,
+                                "Distance between the contacts of both sides in the picture [m]", follow_contact_);
+  line_width_ = make_float("Line Width", 0.002F, 1e-6F, 1, "Width of all lines [m]", parent);
   makePatchProperties(parent);
   makeTrackProperties(parent);
   makeTextProperties(parent);
@@ -63,28 +63,28 @@ DisplayProperties::DisplayProperties(Property* parent)
 void DisplayProperties::makePatchProperties(Property* parent)
 {
   patches_ = new BoolProperty("Pressure", true, "Pressure of each patch as height and colour", parent);
-  size_ = makeFloat("Size", 15, 1, 1000, "Magnification of a patch in its plane; 1: true size", patches_);
-  height_ = makeFloat("Height", 0.1F, 0, 10, "Height of the upper end of the colour scale [m]", patches_);
-  lift_ = makeFloat("Lift", 0.12F, 0, 10,
-                    "Height of a magnified patch above its true position [m]; 0: at its true position", patches_);
-  max_pressure_ = makeFloat("Scale", 0, 0, 1e6F,
-                            "Upper end of the colour scale [MPa], pressures above it are magenta; 0: it follows the "
-                            "pressures, doubled or halved",
-                            patches_);
+  size_ = make_float("Size", 15, 1, 1000, "Magnification of a patch in its plane; 1: true size", patches_);
+  height_ = make_float("Height", 0.1F, 0, 10, "Height of the upper end of the colour scale [m]", patches_);
+  lift_ = make_float("Lift", 0.12F, 0, 10,
+                     "Height of a magnified patch above its true position [m]; 0: at its true position", patches_);
+  max_pressure_ = make_float("Scale", 0, 0, 1e6F,
+                             "Upper end of the colour scale [MPa], pressures above it are magenta; 0: it follows the "
+                             "pressures, doubled or halved",
+                             patches_);
   stress_ =
       new BoolProperty("Stress", true,
                        "Von Mises stress in rail and wheel on a section beneath each patch, as large as the patch; "
                        "beside it if it is lifted, otherwise at the rear end of the rail; only for results "
                        "with a stress field",
                        parent);
-  max_stress_ = makeFloat("Scale", 0, 0, 1e6F,
-                          "Upper end of the colour scale [MPa], stresses above it are magenta; 0: it follows the "
-                          "stresses, doubled or halved",
-                          stress_);
+  max_stress_ = make_float("Scale", 0, 0, 1e6F,
+                           "Upper end of the colour scale [MPa], stresses above it are magenta; 0: it follows the "
+                           "stresses, doubled or halved",
+                           stress_);
   outlines_ = new BoolProperty("Outline", true, "Edge of each contact", parent);
   forces_ = new BoolProperty("Forces", true, "Normal force of the wheel on the rail, from each patch", parent);
-  force_length_ = makeFloat("Length", 2.5F, 0, 1e6F, "Length of the arrows, also of the friction [mm/kN]", forces_);
-  arrow_width_ = makeFloat("Width", 0.014F, 1e-6F, 1, "Diameter of the shafts of the arrows [m]", forces_);
+  force_length_ = make_float("Length", 2.5F, 0, 1e6F, "Length of the arrows, also of the friction [mm/kN]", forces_);
+  arrow_width_ = make_float("Width", 0.014F, 1e-6F, 1, "Diameter of the shafts of the arrows [m]", forces_);
   friction_ = new BoolProperty(
       "Friction", true,
       "Friction of the wheel on the rail, from each patch in its tangent plane; only with creep forces", parent);
@@ -93,22 +93,22 @@ void DisplayProperties::makePatchProperties(Property* parent)
 void DisplayProperties::makeTrackProperties(Property* parent)
 {
   wheels_ = new BoolProperty("Wheelset", true, "Wheels, swept from their profile, and the axle", parent);
-  wheel_sweep_ = makeFloat("Sweep", 17, 0.1F, 180, "Half the drawn angle about the axle [degree]", wheels_);
+  wheel_sweep_ = make_float("Sweep", 17, 0.1F, 180, "Half the drawn angle about the axle [degree]", wheels_);
   wheel_cut_ = new BoolProperty("Cut", false,
                                 "Draw only the part ahead of the contact, with the section at the contact", wheels_);
-  wheel_alpha_ = makeFloat("Alpha", 0.5F, 0, 1, "Opacity of the wheels", wheels_);
+  wheel_alpha_ = make_float("Alpha", 0.5F, 0, 1, "Opacity of the wheels", wheels_);
   rails_ = new BoolProperty("Rails", true, "Deflected rails, swept from their profile", parent);
-  rail_length_ = makeFloat("Length", 0.4F, 0.001F, 100, "Drawn length of the rails [m]", rails_);
-  rail_alpha_ = makeFloat("Alpha", 1, 0, 1, "Opacity of the rails", rails_);
+  rail_length_ = make_float("Length", 0.4F, 0.001F, 100, "Drawn length of the rails [m]", rails_);
+  rail_alpha_ = make_float("Alpha", 1, 0, 1, "Opacity of the rails", rails_);
   deflection_scale_ =
-      makeFloat("Deflection Scale", 1, 0, 1e4F,
-                "Magnification of the deflection of the rails; given displacements are drawn in their true size, "
-                "patches and trail stay on the drawn rail, the wheels stay at their position",
-                rails_);
+      make_float("Deflection Scale", 1, 0, 1e4F,
+                 "Magnification of the deflection of the rails; given displacements are drawn in their true size, "
+                 "patches and trail stay on the drawn rail, the wheels stay at their position",
+                 rails_);
   rails_at_rest_ = new BoolProperty("Rails At Rest", true, "Section of the undeflected rails, as a line", parent);
   trail_ = new BoolProperty("Trail", true, "Earlier contact points on the rail, coloured by pressure", parent);
-  trail_length_ = makeInt("Points", 200, 1, 10000, "Number of points", trail_);
-  trail_width_ = makeFloat("Width", 0.002F, 1e-6F, 1, "Diameter of the points [m]", trail_);
+  trail_length_ = make_int("Points", 200, 1, 10000, "Number of points", trail_);
+  trail_width_ = make_float("Width", 0.002F, 1e-6F, 1, "Diameter of the points [m]", trail_);
 }
 
 void DisplayProperties::makeTextProperties(Property* parent)
@@ -116,9 +116,9 @@ void DisplayProperties::makeTextProperties(Property* parent)
   labels_ = new BoolProperty("Labels", true,
                              "Highest pressure and area, above each patch; highest stress and depth, below its section",
                              parent);
-  letter_height_ = makeFloat("Letters", 0.04F, 1e-4F, 1, "Height of the letters [m]", labels_);
+  letter_height_ = make_float("Letters", 0.04F, 1e-4F, 1, "Height of the letters [m]", labels_);
   panel_ = new BoolProperty("Panel", true, "Colour scale, and the values of each patch", parent);
-  panel_letters_ = makeInt("Letters", 15, 4, 100, "Height of the letters [pixels]", panel_);
+  panel_letters_ = make_int("Letters", 15, 4, 100, "Height of the letters [pixels]", panel_);
 }
 
 void DisplayProperties::onChange(const std::function<void()>& changed)
