@@ -70,12 +70,12 @@ std::string_view faultOf(const WheelsetState& state, bool height_and_roll_given)
 
 std::string loadDoubt(double mean, const WheelsetConfig& wheelset)
 {
-  const double scale = wheelset.meanRadius() / WheelsetConfig().meanRadius();
-  return mean <= -least_load * scale * scale ? formatted(
-                                                   "the mean wheel load is %.4g kN, upward: force.z and loads as "
-                                                   "reactions have the other sign",
-                                                   1e-3 * mean)
-         : mean < least_load * scale * scale
+  const double scale = wheelset.meanRadius() / WheelsetConfig().meanRadius(), least = least_load * scale * scale;
+  return mean <= -least ? formatted(
+                              "the mean wheel load is %.4g kN, upward: force.z and loads as "
+                              "reactions have the other sign",
+                              1e-3 * mean)
+         : mean < least
              ? formatted("the mean wheel load is %.4g N: loads must be in N, not in kN or t", mean + 0.0)  // no -0
              : "";
 }

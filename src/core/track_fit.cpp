@@ -15,7 +15,6 @@ namespace wheel_rail_contact::core
 namespace
 {
 // Limits at full size [m]; those of a model are smaller by its scale.
-constexpr double front_depth = 10e-3;     ///< of the front of the flange below the running circle (EN 15313)
 constexpr double back_tolerance = 2e-3;   ///< of the flange back: wear, and the place of a measuring device
 constexpr double least_back_rise = 3e-3;  ///< of a profile behind its flange tip, if it reaches the flange back
 constexpr double back_slope = 5;          ///< least slope of a flange back [-]

@@ -243,7 +243,7 @@ const OverlapGrids::GroupGrid* OverlapGrids::earlierGrid(const SurfaceArea& area
   for (const GroupGrid& group : earlier_grids_)
   {
     const double shift = arcLength(rail_->profile(), group.used.origin.rail_u, area.origin.rail_u);
-    if (GridSize{group.used.grid.nx, group.used.grid.ny} == size && group.used.grid.symmetric == (isSymmetric()) &&
+    if (GridSize{group.used.grid.nx, group.used.grid.ny} == size && group.used.grid.symmetric == isSymmetric() &&
         covers(group.used, area, shift, tuning::most_larger))
     {
       return &group;

@@ -31,9 +31,9 @@ bool isPlausible(const LineStation& station)
 
 double modelScale(const TrackConfig& track, const WheelsetConfig& wheelset)
 {
-  constexpr double usual_radius = 0.46, usual_gauge = 1.435;  // [m]
-  constexpr double smallest_vehicle = 0.4;                    // a gauge of 600 mm is one
-  const double scale = std::max(wheelset.meanRadius() / usual_radius, track.gauge / usual_gauge);
+  constexpr double smallest_vehicle = 0.4;  // a gauge of 600 mm is one
+  const double scale =
+      std::max(wheelset.meanRadius() / WheelsetConfig().meanRadius(), track.gauge / TrackConfig().gauge);
   return scale > smallest_vehicle ? 1 : scale;
 }
 

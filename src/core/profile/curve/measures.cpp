@@ -10,7 +10,6 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-constexpr double front_depth = 0.010;     ///< of the front of the flange below the running circle [m]
 constexpr double upper_distance = 0.002;  ///< of the upper point of qR from the flange tip [m]
 /// Range of depths in which the sides of a head are straight: below the corners, also of an inclined rail [m].
 constexpr double side_begin = 0.017, side_end = 0.026;

@@ -8,8 +8,9 @@
 namespace wheel_rail_contact::core
 {
 /// Distance of the running circle from the flange back, unless a file states another one (EN 13715) [m]. Depth below
-/// the top of a rail at which the gauge is measured (EN 13848-1) [m].
-constexpr double running_circle_distance = 0.070, gauge_depth = 0.014;
+/// the top of a rail at which the gauge is measured (EN 13848-1), and of the front of a flange below the running circle
+/// (EN 15313) [m].
+constexpr double running_circle_distance = 0.070, gauge_depth = 0.014, front_depth = 0.010;
 
 /// Point of a profile, in the profile frame (y to the field side, z up) [m].
 struct ProfilePlace
