@@ -30,9 +30,6 @@ void interrupt(int signal)
   std::signal(signal, SIG_DFL);  // a second signal ends the program immediately
 }
 
-/// Remark on dropped poses.
-constexpr const char* other_rate = " (if the loads have another rate: sync/load: interpolate)";
-
 /// Removes the files of a run without any result: the corrected command may use their names.
 void removeOutputs(const wheel_rail_contact::ReplayOptions& options)
 {
@@ -69,7 +66,7 @@ ExitStatus run(const wheel_rail_contact::ReplayOptions& options)
   if (replay.results() == 0 && options.span.isWhole())
   {
     std::cerr << "contact_replay: " << options.input << ": contains no pair of pose and load; " << replay.poses()
-              << " poses were dropped" << other_rate << '\n';
+              << " poses were dropped" << replay.matchingHint() << '\n';
     removeOutputs(options);
     return failed;
   }
@@ -77,7 +74,7 @@ ExitStatus run(const wheel_rail_contact::ReplayOptions& options)
   {
     std::cerr << "contact_replay: " << options.input << ": only " << replay.resultsOfUsableInput() << " of "
               << replay.poses() << " poses have a result of usable input"
-              << (replay.resultsOfUsableInput() == replay.results() ? other_rate : "") << '\n';
+              << (replay.resultsOfUsableInput() == replay.results() ? replay.matchingHint() : "") << '\n';
     return few_results;
   }
   if (const std::string doubt = replay.loadDoubt(); !doubt.empty())

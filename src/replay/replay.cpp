@@ -279,6 +279,16 @@ std::uint32_t Replay::keptConnection(const ReplayItem& item)
   return found->second;
 }
 
+std::string Replay::matchingHint() const
+{
+  std::string hint;
+  for (std::size_t i = 0; hint.empty() && i < options_.inputs.wheelsets.size(); ++i)
+  {
+    hint = wheel_rail_contact::matchingHint(source_.pairing(i));
+  }
+  return hint;
+}
+
 void Replay::printSummary(std::ostream& out) const
 {
   const std::uint64_t evaluated = results_ - results_before_;
@@ -292,13 +302,13 @@ void Replay::printSummary(std::ostream& out) const
   counts_.print(out, poses());
   for (std::size_t i = 0; i < options_.inputs.wheelsets.size(); ++i)
   {
-    const auto dropped = source_.dropped(i);
-    for (std::size_t reason = 0; reason < dropped.size(); ++reason)
+    const PairingCounts counts = source_.pairing(i);
+    for (std::size_t reason = 0; reason < counts.dropped.size(); ++reason)
     {
-      if (dropped[reason] > 0)
+      if (counts.dropped[reason] > 0)
       {
-        out << "  " << options_.inputs.wheelsets[i] << "/wheelset: " << dropped[reason]
-            << " messages dropped: " << dropName(static_cast<DropReason>(reason)) << "\n";
+        out << "  " << options_.inputs.wheelsets[i] << "/wheelset: " << counts.dropped[reason]
+            << " messages dropped: " << dropText(static_cast<DropReason>(reason), counts) << "\n";
       }
     }
     if (const std::uint64_t lacking = source_.lackingNeighbour(i))

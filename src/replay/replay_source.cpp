@@ -359,14 +359,14 @@ bool ReplaySource::isWarmedUp() const
                      [](const Wheelset& wheelset) { return wheelset.results == HoldLast::memory; });
 }
 
-std::array<std::uint64_t, PairingCounts::reasons> ReplaySource::dropped(std::size_t wheelset) const
+PairingCounts ReplaySource::pairing(std::size_t wheelset) const
 {
-  auto dropped = wheelsets_[wheelset].pairing.counts().dropped;
-  for (std::size_t reason = 0; reason < dropped.size(); ++reason)
+  PairingCounts counts = wheelsets_[wheelset].pairing.counts();
+  for (std::size_t reason = 0; reason < counts.dropped.size(); ++reason)
   {
-    dropped[reason] -= wheelsets_[wheelset].dropped_before[reason];
+    counts.dropped[reason] -= wheelsets_[wheelset].dropped_before[reason];
   }
-  return dropped;
+  return counts;
 }
 
 std::uint64_t ReplaySource::droppedPoses() const

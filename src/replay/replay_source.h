@@ -65,8 +65,8 @@ class ReplaySource
   std::uint64_t messages() const;
   /// Size of the bag [B].
   std::uint64_t fileSize() const { return stream_.fileSize(); }
-  /// Number of messages of a wheelset that were dropped in the span, by DropReason.
-  std::array<std::uint64_t, PairingCounts::reasons> dropped(std::size_t wheelset) const;
+  /// Numbers of messages of a wheelset; those dropped are counted in the span.
+  PairingCounts pairing(std::size_t wheelset) const;
   /// Number of poses of all wheelsets that were dropped in the span.
   std::uint64_t droppedPoses() const;
   /// Transforms of the bag.

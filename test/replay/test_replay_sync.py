@@ -46,6 +46,7 @@ class Interpolation(ReplayCase):
         _, printed = self.replay(bag, "matched.bag", status=FEW_RESULTS)
         self.assertIn("20 of 80 poses have a result", printed)
         self.assertIn("OK: 20 (25.0 %)", printed)
+        self.assertIn("the stamps differ by 0.005 s or more: see sync/slop, or sync/load", printed)
 
     def test_load_that_varies_linearly_gives_the_results_of_the_load_at_each_pose(self):
         def force(i):

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <numeric>
 
 #include "config/text.h"
@@ -76,9 +77,18 @@ const char* statusName(std::uint8_t status)
   return nameOf(static_cast<core::ContactStatus>(status));
 }
 
-const char* dropName(DropReason reason)
+std::string matchingHint(const PairingCounts& counts)
 {
-  return drop_names.at(static_cast<std::size_t>(reason));
+  return counts.smallest_miss == std::numeric_limits<std::int64_t>::max()
+             ? ""
+             : formatted(", the stamps differ by %.3g s or more: see sync/slop, or sync/load for loads of another rate",
+                         1e-9 * static_cast<double>(counts.smallest_miss));
+}
+
+std::string dropText(DropReason reason, const PairingCounts& counts)
+{
+  return drop_names.at(static_cast<std::size_t>(reason)) +
+         (reason == DropReason::unmatched ? matchingHint(counts) : std::string());
 }
 
 void ContactStatistics::count(const ContactOutput& output)
@@ -129,12 +139,13 @@ std::uint64_t ContactStatistics::dropped() const
 std::string droppedBetween(const ContactStatistics& before, const ContactStatistics& now)
 {
   std::string text;
-  const auto add = [&text](std::uint64_t count, const char* reason)
-  { text += count == 0 ? "" : formatted("%s%llu (%s)", text.empty() ? "" : ", ", 0ULL + count, reason); };
+  const auto add = [&text](std::uint64_t count, const std::string& reason)
+  { text += count == 0 ? "" : formatted("%s%llu (%s)", text.empty() ? "" : ", ", 0ULL + count, reason.c_str()); };
   for (std::size_t i = 0; i < drop_names.size(); ++i)
   {
-    const bool is_loss = static_cast<DropReason>(i) != DropReason::unneeded;
-    add(is_loss ? now.pairing.dropped[i] - before.pairing.dropped[i] : 0, drop_names[i]);
+    const auto reason = static_cast<DropReason>(i);
+    const bool is_loss = reason != DropReason::unneeded;
+    add(is_loss ? now.pairing[reason] - before.pairing[reason] : 0, dropText(reason, now.pairing));
   }
   add(now.overload - before.overload, "pairs too many for the speed of the node");
   return text;

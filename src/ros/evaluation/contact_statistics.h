@@ -15,8 +15,11 @@ namespace wheel_rail_contact
 {
 /// Name of a status constant, as in the message WheelsetContact.
 const char* statusName(std::uint8_t status);
-/// Text for diagnostics and the output of a replay.
-const char* dropName(DropReason reason);
+/// Hint on messages without a match: how much their stamps differ at least, and the parameters that help. Empty if no
+/// two stamps differed.
+std::string matchingHint(const PairingCounts& counts);
+/// Text for the log and the output of a replay, with the hint.
+std::string dropText(DropReason reason, const PairingCounts& counts);
 
 /// Numbers of service requests of a node since its start.
 struct ServiceCounts

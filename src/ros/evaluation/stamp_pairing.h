@@ -164,6 +164,12 @@ class StampPairing
         const Verdict verdict = compare(channels[in_order ? k : i], channels[in_order ? i : k]);
         if (verdict.dropped != nullptr)
         {
+          const std::int64_t difference =
+              std::abs(channels[i].waiting.front().stamp - channels[k].waiting.front().stamp);
+          if (verdict.reason == DropReason::unmatched && difference > slop_)
+          {
+            queues_.noteMiss(difference);
+          }
           return verdict;
         }
         all.waits = all.waits || verdict.waits;

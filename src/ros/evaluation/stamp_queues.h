@@ -35,6 +35,8 @@ struct PairingCounts
   std::uint64_t paired = 0;                      ///< samples in complete sets
   std::array<std::uint64_t, reasons> dropped{};  ///< by DropReason
   std::uint64_t waiting = 0;                     ///< samples that wait for a match
+  /// Smallest difference of the stamps of an unmatched sample and of another channel, above the slop [ns].
+  std::int64_t smallest_miss = std::numeric_limits<std::int64_t>::max();
 
   /// Number of samples dropped for a reason.
   std::uint64_t& operator[](DropReason reason) { return dropped[static_cast<std::size_t>(reason)]; }
@@ -180,6 +182,9 @@ class StampQueues
     channel.dropped += used ? 0U : 1U;
     removeFirst(channel);
   }
+
+  /// Notes the difference of the stamps of two samples that do not match [ns].
+  void noteMiss(std::int64_t difference) { counts_.smallest_miss = std::min(counts_.smallest_miss, difference); }
 
   /// Begins to count the visits again.
   void forgetSteps()
