@@ -3,6 +3,24 @@
 #include "python/bindings.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 
+namespace
+{
+/// Classes that Python cannot construct get no empty object by `__new__` either.
+void refuseEmptyObjects(const pybind11::module& module)
+{
+  const pybind11::cpp_function refuse([](const pybind11::args& /*any*/, const pybind11::kwargs& /*any*/)
+                                      { throw pybind11::type_error("objects of this class are results"); });
+  for (const auto& [name, value] : module.attr("__dict__").cast<pybind11::dict>())
+  {
+    const bool is_class = PyType_Check(value.ptr()) != 0 && PyObject_IsSubclass(value.ptr(), PyExc_Exception) == 0;
+    if (is_class && Py_TYPE(value.attr("__init__").ptr()) == &PyWrapperDescr_Type)
+    {
+      pybind11::setattr(value, "__new__", pybind11::staticmethod(refuse));
+    }
+  }
+}
+}  // namespace
+
 PYBIND11_MODULE(_core, module)
 {
   module.doc() = "Numerical core of wheel_rail_contact; used through the names of the package wheel_rail_contact.";
@@ -16,4 +34,5 @@ PYBIND11_MODULE(_core, module)
   wheel_rail_contact::bindGeometry(module);
   wheel_rail_contact::bindTiming(module);
   wheel_rail_contact::bindOneWheel(module);
+  refuseEmptyObjects(module);
 }

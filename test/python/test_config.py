@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Parameters of WheelsetContact."""
+import functools
 import pathlib
 import tempfile
 import unittest
@@ -49,7 +50,8 @@ class Config(unittest.TestCase):
                              ({"track": {"gage": 1.4}}, "parameter track/gage is unknown"),
                              ({"contact": {"tolerance": "fine"}}, "contact/tolerance = fine"),
                              ({"wheel": {"profile": "none.prw"}}, "wheel/profile = none.prw: no such file"),
-                             (["none.yaml"], "no such file: none.yaml")):
+                             (["none.yaml"], "no such file: none.yaml"),
+                             (functools.reduce(lambda group, _: {"track": group}, range(900), {}), "more than 16 nested")):
             with self.subTest(config=config), self.assertRaisesRegex(ValueError, text):
                 WheelsetContact(config)
 

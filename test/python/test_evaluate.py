@@ -242,10 +242,18 @@ class Misuse(unittest.TestCase):
         for name, value, error, text in (("lateral", 1e-3, TypeError, "lateral"),
                                          ("y", "left", TypeError, "y = 'left': must be a number"),
                                          ("yaw", 1j, TypeError, "yaw = 1j: must be a number"),
+                                         ("yaw", "1e-3", TypeError, "yaw = '1e-3': must be a number"),
+                                         ("yaw", True, TypeError, "yaw = True: must be a number"),
                                          ("y", [1e-3, 2e-3], ValueError, r"y: has the shape \(2,\), but must be a number"),
                                          ("rail_displacement", [1, 2], ValueError, r"must be an array \(2, 3\)")):
             with self.subTest(name=name, value=value), self.assertRaisesRegex(error, text):
                 self.contact.evaluate(force_z=LOAD, **{name: value})
+
+    def test_results_are_made_by_evaluations_only(self):
+        result = self.contact.evaluate(force_z=LOAD)
+        for kind in type(result), type(result.patches[0]), type(self.contact.evaluate_many(force_z=LOAD)):
+            with self.subTest(kind=kind), self.assertRaises(TypeError):
+                kind.__new__(kind)
 
     def test_required_values_are_named(self):
         given = WheelsetContact({"wheelset": {"free": []}})

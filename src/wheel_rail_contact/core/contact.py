@@ -13,6 +13,7 @@ from .extension import core
 from .states import MANY, ONE, table
 
 MOST_THREADS = 1024
+DEEPEST = 16        # nested groups of parameters
 
 
 class WheelsetContact:
@@ -148,10 +149,22 @@ def sources(config=()):
 
 def _source(item):
     if isinstance(item, Mapping):
+        if _depth(item) > DEEPEST:
+            raise ValueError(f"config: has more than {DEEPEST} nested groups")
         return core.ParameterSource(False, json.dumps(item, default=_plain, ensure_ascii=False))
     if isinstance(item, (str, os.PathLike)):
         return core.ParameterSource(True, os.fspath(item))
     raise TypeError(f"config: {item!r} must be the name of a file or a dict")
+
+
+def _depth(item):
+    """Number of nested groups and lists; no more than one above the permitted one is counted."""
+    depth, level = 0, [item]
+    while level and depth <= DEEPEST:
+        depth += 1
+        level = [entry for group in level for entry in (group.values() if isinstance(group, Mapping) else group)
+                 if isinstance(entry, (Mapping, list, tuple))]
+    return depth
 
 
 def _plain(value):

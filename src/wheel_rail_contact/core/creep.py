@@ -4,6 +4,7 @@ import numbers
 
 import numpy as np
 
+from .array_arguments import numbers_of
 from .extension import core
 
 
@@ -55,26 +56,19 @@ def kalker_coefficients(ratio, poisson=core.DEFAULT_POISSON):
 
     Returns an array (4, ...). Raises TypeError for an argument that is not a number, ValueError for a number out of range.
     """
-    ratios = _array("ratio", ratio)
+    ratios = numbers_of("ratio", ratio)
     return core.kalker_coefficients(ratios.ravel(), _number("poisson", poisson)).reshape((4, *ratios.shape))
 
 
-def _array(name, value):
-    try:
-        return np.asarray(value, dtype=float)
-    except (TypeError, ValueError):
-        raise TypeError(f"{name} = {value!r}: must be a number or an array of numbers") from None
-
-
 def _number(name, value):
-    array = _array(name, value)
+    array = numbers_of(name, value)
     if array.shape:
         raise ValueError(f"{name}: has the shape {array.shape}, but must be a number")
     return float(array)
 
 
 def _numbers(name, value, count):
-    array = _array(name, value)
+    array = numbers_of(name, value)
     if array.shape != (count,):
         raise ValueError(f"{name}: has the shape {array.shape}, but must be an array ({count},)")
     return array

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from .array_arguments import numbers_of
 from .extension import core
 
 ONE, MANY = False, True
@@ -79,20 +80,13 @@ def _velocities(model, twist):
 
 def _array(name, value, many):
     """Array of float with the shape of one state, or with n before it."""
-    try:
-        array = np.asarray(value, dtype=float)
-    except (TypeError, ValueError):
-        raise TypeError(f"{name} = {value!r}: must be a number{_words(name)}") from None
+    array = numbers_of(name, value, "a number" + (" or an array of numbers" if name in SHAPES else ""))
     shape = SHAPES.get(name, ())
     if array.shape != shape and not (many and array.shape[1:] == shape and array.ndim == len(shape) + 1):
         expected = "a number" if not shape else f"an array {shape}"
         raise ValueError(f"{name}: has the shape {array.shape}, but must be {expected}"
                          + (f" or an array {('n', *shape)}".replace("'n'", "n") if many else ""))
     return array
-
-
-def _words(name):
-    return " or an array of numbers" if name in SHAPES else ""
 
 
 def _common(lengths):
