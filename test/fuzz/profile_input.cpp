@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Profile files of all formats: each gives a profile that can be evaluated at every point, or a FileError.
 #include <array>
-#include <cmath>
 #include <cstdlib>
 
 #include "../temporary_folder.h"
+#include "sound_profile.h"
 #include "wheel_rail_contact/core/profile_reader.h"
 
 namespace
@@ -23,18 +23,6 @@ constexpr std::array<Format, 6> formats{{{"input.prw", core::ProfileKind::wheel}
                                          {"input.ban", core::ProfileKind::rail},
                                          {"wheel.csv", core::ProfileKind::wheel},
                                          {"rail.csv", core::ProfileKind::rail}}};
-
-bool isSound(const core::Profile& profile)
-{
-  constexpr int places = 1000;
-  bool sound = std::isfinite(profile.length()) && profile.length() > 0;
-  for (int i = 0; i <= places && sound; ++i)
-  {
-    const core::CurvePoint point = profile.at(profile.length() * i / places);
-    sound = std::isfinite(point.y) && std::isfinite(point.z) && std::hypot(point.dy, point.dz) > 0;
-  }
-  return sound;
-}
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)

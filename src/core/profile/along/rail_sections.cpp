@@ -2,6 +2,7 @@
 #include "wheel_rail_contact/core/profile.h"
 
 #include <cmath>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -84,6 +85,8 @@ std::vector<CorrespondingPlaces> placesOf(const RailSection& a, const RailSectio
   return places;
 }
 
+using ProfilePair = std::pair<const Profile*, const Profile*>;
+
 /// Curves between a section and the next one; null if both are the same profile.
 std::shared_ptr<const SectionBlend> blendOf(const RailSeries& series, std::size_t index, const std::string& part)
 {
@@ -114,9 +117,13 @@ RailSections::RailSections(std::vector<RailSeries> parts, Placement placement)
     const std::string part = "part " + std::to_string(k + 1) + " of a rail";
     check(series, part);
     blends_.emplace_back();
+    std::map<ProfilePair, std::shared_ptr<const SectionBlend>> known;  // of profiles that follow each other repeatedly
     for (std::size_t i = 0; i + 1 < series.size(); ++i)
     {
-      blends_.back().push_back(blendOf(series, i, part));
+      const ProfilePair pair(series[i].profile.get(), series[i + 1].profile.get());
+      const auto found = series[i].places.empty() ? known.find(pair) : known.end();
+      blends_.back().push_back(found != known.end() ? found->second : blendOf(series, i, part));
+      known[pair] = blends_.back().back();
     }
   }
   checkPlacement();
