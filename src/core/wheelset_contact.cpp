@@ -266,16 +266,17 @@ class WheelsetContact::Calculation
   /// Adds forces beyond the plausible bound to the reason.
   void addImplausibleForces()
   {
+    const double scale = modelScale(config_.track, config_.wheelset), largest = plausible_force * scale * scale;
     for (const Side side : sides)
     {
       const WheelForces& wheel = result_.wheel[side];
       const double force = std::hypot(wheel.vertical, wheel.lateral);
-      if (force > plausible_force)
+      if (force > largest)
       {
         result_.implausible_force = true;
         result_.reason += (result_.reason.empty() ? "" : "; ") +
                           formatted("implausible force of the %s wheel: %.3g MN, above %.3g MN",
-                                    side == Side::left ? "left" : "right", 1e-6 * force, 1e-6 * plausible_force);
+                                    side == Side::left ? "left" : "right", 1e-6 * force, 1e-6 * largest);
       }
     }
   }

@@ -93,7 +93,8 @@ struct RailResult
   RailRates slope;    ///< direction of the rail: change of its displacement by the line along the track [-], [rad/m]
 };
 
-/// Largest plausible contact force of a wheel: about ten times that of a freight wheel [N].
+/// Largest plausible contact force of a wheel: about ten times that of a freight wheel [N]. That of a model is smaller
+/// by the square of its modelScale().
 constexpr double plausible_force = 1e6;
 
 /// Contact forces of all patches of a wheel on its rail.

@@ -83,6 +83,12 @@ TEST(ModelScale, PressuresAreThoseOfTheOriginal)
     EXPECT_NEAR(other.max_pressure / one.max_pressure, 1, 0.006) << y;  // twice the tolerance
     EXPECT_NEAR(other.area / (scale * scale * one.area), 1, 0.006) << y;
   }
+  for (const double load : {0.9 * plausible_force, 1.1 * plausible_force})
+  {
+    const bool is_implausible = load > plausible_force;
+    EXPECT_EQ(large.evaluate(stateAt(0, load)).implausible_force, is_implausible);
+    EXPECT_EQ(small.evaluate(stateAt(0, scale * scale * load)).implausible_force, is_implausible);
+  }
 }
 }  // namespace
 }  // namespace wheel_rail_contact::core
