@@ -80,6 +80,13 @@ core::ProfileReading readProfileOptions(const ParameterTree& group)
   ParameterReader reader(group, "");
   core::ProfileReading reading;
   readProfileOptions(reader, "", reading);
+  double tape_circle = 0;
+  reader.read("tape_circle", rules::positive, tape_circle);
+  if (reader.has("tape_circle"))
+  {
+    reading.tape_circle = tape_circle;
+  }
+  reader.read("scale", {"above 0, at most 1", [](double value) { return value > 0 && value <= 1; }}, reading.scale);
   reader.refuseUnknown();
   return reading;
 }

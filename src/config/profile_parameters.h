@@ -22,7 +22,10 @@ namespace wheel_rail_contact
 /// @param reading  options that are not given stay unchanged
 void readProfileOptions(ParameterReader& reader, const std::string& prefix, core::ProfileReading& reading);
 
-/// Options of a profile file in a group of their own.
+/// Options of a profile file in a group of their own. It may contain the dimensions of the vehicle, too:
+///
+///   tape_circle               [m], above 0
+///   scale                     of a model, above 0, at most 1
 /// @throw std::invalid_argument with the name, the value and the violated rule; for an unknown name.
 core::ProfileReading readProfileOptions(const ParameterTree& group);
 

@@ -158,6 +158,16 @@ class Command(FolderCase):
         self.assertIn("as a rail: ", err)
         self.assertNotIn("give --wheel or --rail", err)
 
+    def test_dimensions_of_the_vehicle_are_options(self):
+        points = wheel_points()
+        model = write_table(self.folder / "model.csv", 0.2 * points)
+        self.run_check(model, "--wheel", status=1)
+        self.assertIn("model.csv: wheel, by option", self.run_check(model, "--wheel", "--scale", 0.2)[0])
+        back = write_table(self.folder / "back.csv", points + [77.8, 0])
+        self.run_check(back, "--wheel", "--origin", "flange_back", "--tape-circle", 0.0778, "--write", self.folder / "clean.csv")
+        shifted = np.genfromtxt(self.folder / "clean.csv", delimiter=",", skip_header=1, comments="#")
+        self.assertAlmostEqual(np.nanmin(shifted[:, 0]), points[0, 0], delta=0.01)
+
     def test_reversed_wheel_is_not_taken_for_a_rail(self):
         points = wheel_points()
         # A rim falls at the field side, and would make the lowest point of the turned wheel lie at its end.
@@ -184,6 +194,8 @@ class Command(FolderCase):
                                    (("--shift", "-36e0", 0), "parameter shift/y = -36"),
                                    (("--smoothing", 0.001), "parameter smoothing = 0.001"),
                                    (("--rotate", "nan"), "parameter rotate"),
+                                   (("--scale", 5), "parameter scale = 5.0 must be above 0, at most 1"),
+                                   (("--tape-circle", 0), "parameter tape_circle = 0"),
                                    (("--unit", "m"), "contradicts")):
             out, err = self.run_check(rail, *arguments, status=1)
             self.assertEqual(out, "", arguments)

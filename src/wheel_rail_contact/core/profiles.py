@@ -12,7 +12,7 @@ def read_profile(name, kind, **options):
     name: of a standard profile (doc/standard_profiles.md), or of a file: a name with a dot or a slash
     kind: "wheel", "rail" or "rail_section"
     options: those of the group `profile` in a parameter file (config/default.yaml): unit, y, z, origin, shift, rotate, mirror,
-        smoothing
+        smoothing; and the dimensions of the vehicle that a node has: tape_circle [m], scale (of a model, at most 1)
 
     Returns a Profile: name, report, length, at(u), slope(u), curvature(u), parts.
     Raises ValueError with the name, the value and the broken rule.

@@ -18,6 +18,12 @@ WORDS = (("unit", "m|cm|mm|um|in", "length unit of the file"),
          ("z", "up|down", "direction of the second coordinate"),
          ("origin", "POINT", "running_circle or flange_back of a wheel; crown, gauge_corner or foot of a rail"))
 
+# Options that are numbers: those of the group, and dimensions of the vehicle.
+NUMBERS = {"rotate": ("RAD", "rotation about the origin, from outward towards up [rad]"),
+           "smoothing": ("UM", "noise for which the points are smoothed [um]; 0: none (default: estimated)"),
+           "tape_circle": ("M", "distance of the running circle from the flange back, wheelset/tape_circle [m]"),
+           "scale": ("S", "scale of a model: its points are read as those of its original")}
+
 
 def main(arguments=None):
     """Runs the command and returns its exit status."""
@@ -98,7 +104,7 @@ def _reading(options):
     reading = {name: getattr(options, name) for name, *_ in WORDS if getattr(options, name) is not None}
     if options.shift is not None:
         reading["shift"] = dict(zip("yz", options.shift))
-    for name in ("rotate", "smoothing"):
+    for name in NUMBERS:
         if getattr(options, name) is not None:
             reading[name] = getattr(options, name)
     return dict(reading, mirror=True) if options.mirror else reading
@@ -109,7 +115,8 @@ def _parser():
         prog="check_profile", description="Reports what is understood of profile files: format, unit, axes, noise and "
         "missing points, the measures of wheel or rail, and the nearest standard profile. Draws a picture of each, "
         "FILE.png. The exit status is 1 if a file is refused; the others are still checked.",
-        epilog="Options of reading have the names, values and units of the group `profile` of a parameter file.")
+        epilog="Options of reading have the names, values and units of the group `profile` of a parameter file; the tape "
+        "circle and the scale are those of the vehicle.")
     parser.add_argument("files", nargs="+", metavar="FILE", help="profile file, or name of a standard profile")
     kind = parser.add_mutually_exclusive_group()
     kind.add_argument("--wheel", dest="kind", action="store_const", const="wheel",
@@ -119,11 +126,9 @@ def _parser():
         parser.add_argument(f"--{name}", metavar=values, help=meaning)
     parser.add_argument("--shift", type=float, nargs=2, metavar=("Y", "Z"),
                         help="added to the coordinates, outward and up [m]")
-    parser.add_argument("--rotate", type=float, metavar="RAD",
-                        help="rotation about the origin, from outward towards up [rad]")
+    for name, (value, meaning) in NUMBERS.items():
+        parser.add_argument("--" + name.replace("_", "-"), type=float, metavar=value, help=meaning)
     parser.add_argument("--mirror", action="store_true", help="change the sign of y")
-    parser.add_argument("--smoothing", type=float, metavar="UM",
-                        help="noise for which the points are smoothed [um]; 0: none (default: estimated)")
     parser.add_argument("--out", type=Path, default=Path("."), metavar="DIR",
                         help="folder for the pictures (default: this folder)")
     parser.add_argument("--write", type=Path, metavar="CLEAN.csv",
