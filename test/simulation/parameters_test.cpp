@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "examples/simulate_wheelset/parameters.h"
 
-#include <gtest/gtest.h>
-
-#include <stdexcept>
-#include <string>
-
 #include "../temporary_folder.h"
+#include "../usual_headers.h"
 #include "examples/simulate_wheelset/contact_ways.h"
 #include "examples/simulate_wheelset/wheelset_dynamics.h"
 
@@ -46,7 +42,7 @@ class InAir : public ContactSource
   ContactReply evaluate(const ContactRequest& /*request*/) override
   {
     ContactReply reply;
-    reply.is_usable = true;
+    reply.status = wheel_rail_contact::core::ContactStatus::ok;
     return reply;
   }
 };

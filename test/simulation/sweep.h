@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <vector>
-
 #include "examples/simulate_wheelset/contact_source.h"
 #include "examples/simulate_wheelset/parameters.h"
+#include "usual_headers.h"
 
 namespace simulate_wheelset
 {
@@ -21,13 +15,14 @@ class Sweep
   Sweep(ContactSource& contact, double last)
   {
     ContactRequest request;
-    request.force_z = -Parameters().wheelset.axle_load;
-    for (request.y = 0; request.y <= last; request.y += step)
+    request.state.force_z = -Parameters().wheelset.axle_load;
+    double& y = request.state.y;
+    for (; y <= last; y += step)
     {
       const ContactReply reply = contact.evaluate(request);
-      if (!reply.is_usable)
+      if (!isUsable(reply.status))
       {
-        ADD_FAILURE() << "no contact at y = " << request.y << ": " << reply.status;
+        ADD_FAILURE() << "no contact at y = " << y << ": " << reply.reason;
         return;
       }
       add(reply);
@@ -64,16 +59,15 @@ class Sweep
 
   void add(const ContactReply& reply)
   {
-    std::array<double, 2> force{}, moment{};
+    wheel_rail_contact::core::Sides<double> force, moment;
     double angle = 0;
-    for (const ContactPoint& point : reply.points)
+    for (const auto& patch : reply.patches)
     {
-      const std::size_t side = point.is_left ? 0 : 1;
-      force[side] += point.normal_force;
-      moment[side] += point.normal_force * point.rolling_radius;
-      angle = std::max(angle, point.angle);
+      force[patch.side] += patch.normal_force;
+      moment[patch.side] += patch.normal_force * patch.rolling_radius;
+      angle = std::max(angle, patch.pose.angle);
     }
-    difference_.push_back(moment[0] / force[0] - moment[1] / force[1]);
+    difference_.push_back(moment.left / force.left - moment.right / force.right);
     roll_.push_back(reply.roll);
     angle_.push_back(angle);
   }

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "examples/simulate_wheelset/wheelset_dynamics.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-#include <vector>
-
+#include "../usual_headers.h"
 #include "examples/simulate_wheelset/closed_loop.h"
 
 using namespace simulate_wheelset;
+using wheel_rail_contact::core::ContactStatus;
 
 namespace
 {
@@ -18,7 +13,7 @@ namespace
 class Rails : public ContactSource
 {
  public:
-  Rails() { reply.is_usable = true; }
+  Rails() { reply.status = ContactStatus::ok; }
   ContactReply evaluate(const ContactRequest& /*request*/) override { return reply; }
 
   ContactReply reply;
@@ -30,19 +25,19 @@ TEST(WheelsetDynamics, LoadHasNoForceOfTheRails)
   parameters.wheelset.gyroscopic = 0;
   Rails rails;
   rails.reply.roll = 0.002;
-  rails.reply.force = {-100, 5e3, 200e3};
-  rails.reply.moment = {8e3, 30, 2e3};
+  rails.reply.rail_wrench.force = {-100, 5e3, 200e3};
+  rails.reply.rail_wrench.moment = {8e3, 30, 2e3};
   HeldContact held(rails, 0);
   WheelsetDynamics dynamics(parameters);
   dynamics.advance(held);
-  const ContactRequest request = dynamics.request();
+  const wheel_rail_contact::core::WheelsetState request = dynamics.request().state;
   const SuspensionParameters& s = parameters.suspension;
   EXPECT_NEAR(request.torque_x, -2 * s.vertical_stiffness * s.half_spacing * s.half_spacing * 0.002, 1e-9);
   EXPECT_EQ(request.force_z, -parameters.wheelset.axle_load);
   // The forces of the rails move the wheelset.
   const double step = parameters.run.step, spring = 2 * s.lateral_stiffness * parameters.run.y;
-  EXPECT_NEAR(request.y_rate, step * (5e3 - spring) / parameters.wheelset.mass, 1e-12);
-  EXPECT_NEAR(request.yaw_rate, step * 2e3 / parameters.wheelset.yaw_inertia, 1e-12);
+  EXPECT_NEAR(request.motion.lateral_velocity, step * (5e3 - spring) / parameters.wheelset.mass, 1e-12);
+  EXPECT_NEAR(request.motion.yaw_rate, step * 2e3 / parameters.wheelset.yaw_inertia, 1e-12);
 }
 
 TEST(WheelsetDynamics, AGyroscopicWheelsetConservesItsAngularMomentum)
@@ -64,7 +59,7 @@ TEST(WheelsetDynamics, AGyroscopicWheelsetConservesItsAngularMomentum)
   const double spin_momentum = parameters.wheelset.spin_inertia * 87;
   EXPECT_NEAR(dynamics.motion().yaw_rate, -spin_momentum * roll / parameters.wheelset.yaw_inertia, 1e-9);
   // The turn of the axle to the right raises the right wheel: the moment on the axle is negative.
-  EXPECT_NEAR(dynamics.request().torque_x, spin_momentum * dynamics.motion().yaw_rate, 1e-9);
+  EXPECT_NEAR(dynamics.request().state.torque_x, spin_momentum * dynamics.motion().yaw_rate, 1e-9);
 }
 
 TEST(WheelsetDynamics, LoadHasTheInertiaOnALine)
@@ -81,13 +76,13 @@ TEST(WheelsetDynamics, LoadHasTheInertiaOnALine)
     for (int i = 0; i < 4; ++i)
     {
       const double half_square = 0.5 * i * i * step * step;
-      rails.reply.line_left = half_square * (rise + 0.75 * turn);
-      rails.reply.line_right = half_square * (rise - 0.75 * turn);
+      rails.reply.rail.left.given.vertical = half_square * (rise + 0.75 * turn);
+      rails.reply.rail.right.given.vertical = half_square * (rise - 0.75 * turn);
       dynamics.advance(held);
     }
     const WheelsetParameters& w = parameters.wheelset;
-    EXPECT_NEAR(dynamics.request().force_z, -w.axle_load - is_on * w.mass * rise, 1e-3);
-    EXPECT_NEAR(dynamics.request().torque_x, -is_on * w.yaw_inertia * turn, 1e-3);
+    EXPECT_NEAR(dynamics.request().state.force_z, -w.axle_load - is_on * w.mass * rise, 1e-3);
+    EXPECT_NEAR(dynamics.request().state.torque_x, -is_on * w.yaw_inertia * turn, 1e-3);
   }
 }
 
@@ -100,8 +95,8 @@ class Prescribed : public ContactSource
   ContactReply evaluate(const ContactRequest& /*request*/) override
   {
     ContactReply reply;
-    reply.is_usable = usable_.at(calls_++);
-    reply.status = "beyond the end of a profile";
+    reply.status = usable_.at(calls_++) ? ContactStatus::ok : ContactStatus::off_profile;
+    reply.reason = "beyond the end of a profile";
     reply.z = static_cast<double>(calls_);
     return reply;
   }
@@ -140,9 +135,9 @@ TEST(HeldContact, TooManySuccessiveStepsStopWithTheReason)
   }
   catch (const std::runtime_error& error)
   {
-    EXPECT_STREQ(
-        error.what(),
-        "no usable contact in 3 successive steps, at 0.000000 s, y = 0.000000 mm: beyond the end of a profile");
+    EXPECT_STREQ(error.what(),
+                 "no usable contact in 3 successive steps, at 0.000000 s, y = 0.000000 mm: OFF_PROFILE: beyond the end "
+                 "of a profile");
   }
 }
 

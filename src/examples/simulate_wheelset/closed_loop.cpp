@@ -11,6 +11,8 @@
 
 namespace simulate_wheelset
 {
+namespace core = wheel_rail_contact::core;
+
 namespace
 {
 using Clock = std::chrono::steady_clock;
@@ -22,9 +24,9 @@ double secondsSince(Clock::time_point begin)
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-bool isSaturated(const ContactPoint& point)
+bool isSaturated(const core::PatchResult& patch)
 {
-  return point.adhesion_share >= saturated_share;
+  return patch.creep.adhesion_share >= saturated_share;
 }
 
 constexpr int digits = 9;
@@ -39,19 +41,19 @@ struct Wheel
   bool is_saturated = false;        ///< whether the friction of a contact is at its limit
 };
 
-Wheel wheelOf(bool is_left, const ContactReply& contact)
+Wheel wheelOf(core::Side side, const ContactReply& contact)
 {
   Wheel wheel;
-  for (const ContactPoint& point : contact.points)
+  for (const core::PatchResult& patch : contact.patches)
   {
-    if (point.is_left == is_left)
+    if (patch.side == side)
     {
-      wheel.normal_force += point.normal_force;
-      wheel.radius += point.normal_force * point.rolling_radius;
-      wheel.creep_x += point.creep_x;
-      wheel.creep_y += point.creep_y * std::cos(point.angle);
-      wheel.adhesion_share = std::max(wheel.adhesion_share, point.adhesion_share);
-      wheel.is_saturated = wheel.is_saturated || isSaturated(point);
+      wheel.normal_force += patch.normal_force;
+      wheel.radius += patch.normal_force * patch.rolling_radius;
+      wheel.creep_x += patch.creep.force.x;
+      wheel.creep_y += patch.creep.force.y * std::cos(patch.pose.angle);
+      wheel.adhesion_share = std::max(wheel.adhesion_share, patch.creep.adhesion_share);
+      wheel.is_saturated = wheel.is_saturated || isSaturated(patch);
     }
   }
   wheel.radius = wheel.normal_force > 0 ? wheel.radius / wheel.normal_force : std::nan("");
@@ -60,8 +62,8 @@ Wheel wheelOf(bool is_left, const ContactReply& contact)
 
 double frictionPower(const ContactReply& contact)
 {
-  return std::accumulate(contact.points.begin(), contact.points.end(), 0.0,
-                         [](double sum, const ContactPoint& point) { return sum + point.power; });
+  return std::accumulate(contact.patches.begin(), contact.patches.end(), 0.0,
+                         [](double sum, const core::PatchResult& patch) { return sum + patch.creep.power; });
 }
 }  // namespace
 
@@ -77,7 +79,7 @@ void Waves::add(double distance, double y, const ContactReply& contact)
   if (first_crossing_)
   {
     ++begun_.steps;
-    begun_.drag -= contact.force.x();
+    begun_.drag -= contact.rail_wrench.force.x();
     begun_.friction_power += simulate_wheelset::frictionPower(contact);
   }
   has_last_ = true;
@@ -131,16 +133,17 @@ MotionTable::MotionTable(const std::string& file) : file_(file), stream_(file)
 
 void MotionTable::add(const ContactRequest& request, const ContactReply& contact, bool is_held)
 {
+  const core::WheelsetState& state = request.state;
   stream_ << 1e-9 * static_cast<double>(request.time);
-  for (const double value :
-       {request.distance, request.y, request.yaw, request.y_rate, request.yaw_rate, contact.rotation, contact.z,
-        contact.roll, request.force_z, request.torque_x, contact.force.y(), contact.moment.z(), frictionPower(contact)})
+  for (const double value : {state.distance, state.y, state.yaw, state.motion.lateral_velocity, state.motion.yaw_rate,
+                             contact.rotation, contact.z, contact.roll, state.force_z, state.torque_x,
+                             contact.rail_wrench.force.y(), contact.rail_wrench.moment.z(), frictionPower(contact)})
   {
     stream_ << ',' << value;
   }
-  for (const bool is_left : {true, false})
+  for (const core::Side side : core::sides)
   {
-    const Wheel wheel = wheelOf(is_left, contact);
+    const Wheel wheel = wheelOf(side, contact);
     stream_ << ',' << wheel.normal_force << ',' << wheel.radius << ',' << wheel.creep_x << ',' << wheel.creep_y << ','
             << wheel.adhesion_share << ',' << (wheel.is_saturated ? 1 : 0);
   }
@@ -174,10 +177,10 @@ RunSummary runClosedLoop(const Parameters& parameters, ContactSource& source, Mo
     const ContactRequest request = dynamics.request();
     const ContactReply& contact = dynamics.advance(held);
     summary.times.add(secondsSince(begin));
-    summary.saturated += std::any_of(contact.points.begin(), contact.points.end(), isSaturated) ? 1 : 0;
+    summary.saturated += std::any_of(contact.patches.begin(), contact.patches.end(), isSaturated) ? 1 : 0;
     if (3 * summary.steps >= 2 * steps)
     {
-      summary.waves.add(request.distance, request.y, contact);
+      summary.waves.add(request.state.distance, request.state.y, contact);
     }
     if (table != nullptr)
     {

@@ -32,26 +32,6 @@ void failIf(bool fault, const std::string& reason)
   }
 }
 
-/// Text of ContactReply::status.
-std::string statusText(const std::string& name, const std::string& reason)
-{
-  return reason.empty() ? name : name + ": " + reason;
-}
-
-ContactPoint pointOf(const core::PatchResult& patch)
-{
-  ContactPoint point;
-  point.is_left = patch.side == core::Side::left;
-  point.angle = patch.pose.angle;
-  point.normal_force = patch.normal_force;
-  point.rolling_radius = patch.rolling_radius;
-  point.creep_x = patch.creep.force.x;
-  point.creep_y = patch.creep.force.y;
-  point.adhesion_share = patch.creep.adhesion_share;
-  point.power = patch.creep.power;
-  return point;
-}
-
 void requireSuitable(const wheel_rail_contact::ContactParameters& parameters)
 {
   const core::WheelsetConfig& wheelset = parameters.model.wheelset;
@@ -92,18 +72,17 @@ double rollOf(const geometry_msgs::Quaternion& q)
   return std::atan2(2 * (q.w * q.x + q.y * q.z), 1 - 2 * (q.x * q.x + q.y * q.y));
 }
 
-ContactPoint pointOf(const ContactPatch& patch)
+core::PatchResult patchOf(const ContactPatch& message)
 {
-  ContactPoint point;
-  point.is_left = patch.side == ContactPatch::LEFT;
-  point.angle = rollOf(patch.pose.orientation);
-  point.normal_force = patch.normal_force;
-  point.rolling_radius = patch.rolling_radius;
-  point.creep_x = patch.creep.force_x;
-  point.creep_y = patch.creep.force_y;
-  point.adhesion_share = patch.creep.adhesion_share;
-  point.power = patch.creep.power;
-  return point;
+  core::PatchResult patch;
+  patch.side = message.side == ContactPatch::LEFT ? core::Side::left : core::Side::right;
+  patch.pose.angle = rollOf(message.pose.orientation);
+  patch.normal_force = message.normal_force;
+  patch.rolling_radius = message.rolling_radius;
+  patch.creep.force = {message.creep.force_x, message.creep.force_y, message.creep.moment};
+  patch.creep.adhesion_share = message.creep.adhesion_share;
+  patch.creep.power = message.creep.power;
+  return patch;
 }
 
 Eigen::Vector3d toEigen(const geometry_msgs::Vector3& v)
@@ -126,16 +105,16 @@ EvaluateWheelset::Request messageOf(const ContactRequest& request, const std::st
   EvaluateWheelset::Request message;
   message.pose.header.stamp = stampOf(request.time);
   message.pose.header.frame_id = frame;
-  message.pose.pose.position.x = request.distance;
-  message.pose.pose.position.y = request.y;
-  message.pose.pose.orientation.z = std::sin(0.5 * request.yaw);
-  message.pose.pose.orientation.w = std::cos(0.5 * request.yaw);
+  message.pose.pose.position.x = request.state.distance;
+  message.pose.pose.position.y = request.state.y;
+  message.pose.pose.orientation.z = std::sin(0.5 * request.state.yaw);
+  message.pose.pose.orientation.w = std::cos(0.5 * request.state.yaw);
   message.twist.header = message.load.header = message.pose.header;
-  message.twist.twist.linear.x = request.speed;
-  message.twist.twist.linear.y = request.y_rate;
-  message.twist.twist.angular.z = request.yaw_rate;
-  message.load.wrench.force.z = request.force_z;
-  message.load.wrench.torque.x = request.torque_x;
+  message.twist.twist.linear.x = request.state.motion.speed;
+  message.twist.twist.linear.y = request.state.motion.lateral_velocity;
+  message.twist.twist.angular.z = request.state.motion.yaw_rate;
+  message.load.wrench.force.z = request.state.force_z;
+  message.load.wrench.torque.x = request.state.torque_x;
   return message;
 }
 
@@ -143,18 +122,15 @@ EvaluateWheelset::Request messageOf(const ContactRequest& request, const std::st
 ContactReply replyOf(const WheelsetContact& message)
 {
   ContactReply reply;
-  const auto status = static_cast<core::ContactStatus>(message.status);
-  reply.is_usable = isUsable(status);
-  reply.status = statusText(nameOf(status), message.status_text);
+  reply.status = static_cast<core::ContactStatus>(message.status);
+  reply.reason = message.status_text;
   reply.z = message.wheelset.position.z;
   reply.roll = rollOf(message.wheelset.orientation);
   reply.rotation = message.rotation;
-  reply.force = toEigen(message.rail_wrench.force);
-  reply.moment = toEigen(message.rail_wrench.torque);
-  reply.line_left = message.left_rail.given_vertical;
-  reply.line_right = message.right_rail.given_vertical;
-  std::transform(message.patches.begin(), message.patches.end(), std::back_inserter(reply.points),
-                 [](const ContactPatch& patch) { return pointOf(patch); });
+  reply.rail_wrench = {toEigen(message.rail_wrench.force), toEigen(message.rail_wrench.torque)};
+  reply.rail.left.given.vertical = message.left_rail.given_vertical;
+  reply.rail.right.given.vertical = message.right_rail.given_vertical;
+  std::transform(message.patches.begin(), message.patches.end(), std::back_inserter(reply.patches), patchOf);
   return reply;
 }
 
@@ -164,33 +140,6 @@ std::string fullName(const std::string& node, const std::string& parameter)
 }
 
 }  // namespace
-
-ContactReply InProcessContact::evaluate(const ContactRequest& request)
-{
-  core::WheelsetState state;
-  state.y = request.y;
-  state.yaw = request.yaw;
-  state.force_z = request.force_z;
-  state.torque_x = request.torque_x;
-  state.distance = request.distance;
-  state.motion.speed = request.speed;
-  state.motion.lateral_velocity = request.y_rate;
-  state.motion.yaw_rate = request.yaw_rate;
-  const core::WheelsetResult& result = contact_.evaluate(state);
-  ContactReply reply;
-  reply.is_usable = core::isUsable(result.status);
-  reply.status = statusText(nameOf(result.status), result.reason);
-  reply.z = result.z;
-  reply.roll = result.roll;
-  reply.rotation = result.rotation;
-  reply.force = result.rail_wrench.force;
-  reply.moment = result.rail_wrench.moment;
-  reply.line_left = result.rail.left.given.vertical;
-  reply.line_right = result.rail.right.given.vertical;
-  std::transform(result.patches.begin(), result.patches.end(), std::back_inserter(reply.points),
-                 [](const core::PatchResult& patch) { return pointOf(patch); });
-  return reply;
-}
 
 core::ContactModelConfig readContact(const std::string& file)
 {
@@ -252,7 +201,7 @@ TopicContact::TopicContact(const std::string& node, std::string frame) : frame_(
   // Messages are lost until all connections exist. Trial states are sent until the first result, with stamps before the
   // start.
   ContactRequest trial;
-  trial.force_z = trial_force_z;
+  trial.state.force_z = trial_force_z;
   for (int i = 0; i < attempts; ++i)
   {
     trial.time = (i - attempts) * attempt_time;

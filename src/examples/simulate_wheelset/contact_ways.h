@@ -20,7 +20,7 @@ class InProcessContact : public ContactSource
   /// @throw std::invalid_argument with the name of the parameter, its value and the broken rule.
   explicit InProcessContact(wheel_rail_contact::core::ContactModelConfig config) : contact_(std::move(config)) {}
 
-  ContactReply evaluate(const ContactRequest& request) override;
+  ContactReply evaluate(const ContactRequest& request) override { return contact_.evaluate(request.state); }
 
  private:
   wheel_rail_contact::core::WheelsetContact contact_;

@@ -19,18 +19,19 @@ constexpr double half_distance = 0.75;  ///< of the rails [m], for the roll by t
 const ContactReply& HeldContact::evaluate(const ContactRequest& request)
 {
   ContactReply reply = source_.evaluate(request);
-  if (reply.is_usable)
+  if (isUsable(reply.status))
   {
     in_a_row_ = 0;
     last_ = std::move(reply);
     return last_;
   }
   ++in_a_row_;
-  if (!last_.is_usable || in_a_row_ > most_)
+  if (!isUsable(last_.status) || in_a_row_ > most_)
   {
     throw std::runtime_error("no usable contact in " + std::to_string(in_a_row_) + " successive steps, at " +
                              std::to_string(1e-9 * static_cast<double>(request.time)) +
-                             " s, y = " + std::to_string(1e3 * request.y) + " mm: " + reply.status);
+                             " s, y = " + std::to_string(1e3 * request.state.y) + " mm: " + nameOf(reply.status) +
+                             (reply.reason.empty() ? "" : ": ") + reply.reason);
   }
   ++held_;
   return last_;
@@ -38,7 +39,7 @@ const ContactReply& HeldContact::evaluate(const ContactRequest& request)
 
 const ContactReply& HeldContact::evaluateAgain(const ContactRequest& request)
 {
-  if (ContactReply reply = isHeld() ? ContactReply() : source_.evaluate(request); reply.is_usable)
+  if (ContactReply reply = isHeld() ? ContactReply() : source_.evaluate(request); isUsable(reply.status))
   {
     last_ = std::move(reply);
   }
@@ -56,7 +57,7 @@ WheelsetDynamics::WheelsetDynamics(const Parameters& parameters)
 ContactRequest WheelsetDynamics::request() const
 {
   ContactRequest request = requestAt({motion_.y_rate, motion_.yaw_rate});
-  request.yaw = motion_.yaw;
+  request.state.yaw = motion_.yaw;
   return request;
 }
 
@@ -68,16 +69,16 @@ ContactRequest WheelsetDynamics::requestAt(const Eigen::Vector2d& velocities) co
   const Eigen::Vector2d line_acceleration = (line_[0] - 2 * line_[1] + line_[2]) / (step_ * step_);
   ContactRequest request;
   request.time = steps_ * parameters_.run.stepNanoseconds();
-  request.distance = parameters_.run.start + parameters_.run.speed * 1e-9 * static_cast<double>(request.time);
-  request.speed = parameters_.run.speed;
-  request.y = motion_.y;
-  request.y_rate = velocities.x();
-  request.yaw = motion_.yaw + step_ * velocities.y();
-  request.yaw_rate = velocities.y();
-  request.force_z = -w.axle_load - w.line_inertia * w.mass * line_acceleration.x();
-  request.torque_x = -2 * s.vertical_stiffness * s.half_spacing * s.half_spacing * roll_ -
-                     w.line_inertia * w.yaw_inertia * line_acceleration.y() +
-                     w.gyroscopic * w.spin_inertia * rotation_ * velocities.y();
+  request.state.distance = parameters_.run.start + parameters_.run.speed * 1e-9 * static_cast<double>(request.time);
+  request.state.motion.speed = parameters_.run.speed;
+  request.state.y = motion_.y;
+  request.state.motion.lateral_velocity = velocities.x();
+  request.state.yaw = motion_.yaw + step_ * velocities.y();
+  request.state.motion.yaw_rate = velocities.y();
+  request.state.force_z = -w.axle_load - w.line_inertia * w.mass * line_acceleration.x();
+  request.state.torque_x = -2 * s.vertical_stiffness * s.half_spacing * s.half_spacing * roll_ -
+                           w.line_inertia * w.yaw_inertia * line_acceleration.y() +
+                           w.gyroscopic * w.spin_inertia * rotation_ * velocities.y();
   return request;
 }
 
@@ -87,9 +88,9 @@ Eigen::Vector2d WheelsetDynamics::residual(const Eigen::Vector2d& velocities, co
   const SuspensionParameters& s = parameters_.suspension;
   const WheelsetParameters& w = parameters_.wheelset;
   const double lateral =
-      contact.force.y() - 2 * s.lateral_stiffness * motion_.y - 2 * s.lateral_damping * velocities.x();
+      contact.rail_wrench.force.y() - 2 * s.lateral_stiffness * motion_.y - 2 * s.lateral_damping * velocities.x();
   const double spring_moment = s.longitudinal_stiffness * motion_.yaw + s.longitudinal_damping * velocities.y();
-  const double yaw_moment = contact.moment.z() - 2 * s.half_spacing * s.half_spacing * spring_moment -
+  const double yaw_moment = contact.rail_wrench.moment.z() - 2 * s.half_spacing * s.half_spacing * spring_moment -
                             w.gyroscopic * w.spin_inertia * rotation_ * roll_rate_;
   return Eigen::Vector2d(motion_.y_rate, motion_.yaw_rate) +
          step_ * Eigen::Vector2d(lateral / w.mass, yaw_moment / w.yaw_inertia) - velocities;
@@ -113,7 +114,8 @@ const ContactReply& WheelsetDynamics::advance(HeldContact& contact)
   const double least = tolerance * parameters_.run.speed;
   Eigen::Vector2d velocities = Eigen::Vector2d(motion_.y_rate, motion_.yaw_rate) + change_;
   const ContactReply* reply = &contact.evaluate(requestAt(velocities));
-  addLine({0.5 * (reply->line_left + reply->line_right), 0.5 * (reply->line_left - reply->line_right) / half_distance});
+  const double left = reply->rail.left.given.vertical, right = reply->rail.right.given.vertical;
+  addLine({0.5 * (left + right), 0.5 * (left - right) / half_distance});
   Eigen::Vector2d last = Eigen::Vector2d::Zero();
   double share = 1;
   for (int i = 0; i < most_iterations; ++i)
