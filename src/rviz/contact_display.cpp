@@ -183,19 +183,19 @@ PanelContents ContactDisplay::panelContents(const SceneOptions& options) const
   }
   if (options.forces)
   {
-    contents.legend.push_back({scene_colors::force(), "normal force"});
+    contents.legend.push_back({scene_colors::force, "normal force"});
   }
   if (options.friction && output_->result && output_->result->speed != 0)
   {
-    contents.legend.push_back({scene_colors::friction(), "friction on the rail"});
+    contents.legend.push_back({scene_colors::friction, "friction on the rail"});
   }
   if (model() && options.wheels)
   {
-    contents.legend.push_back({scene_colors::wheelSection(), "wheel section"});
+    contents.legend.push_back({scene_colors::wheel_section, "wheel section"});
   }
   if (model() && options.rails_at_rest)
   {
-    contents.legend.push_back({scene_colors::railAtRest(), "rail at rest"});
+    contents.legend.push_back({scene_colors::rail_at_rest, "rail at rest"});
   }
   return contents;
 }

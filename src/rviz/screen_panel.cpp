@@ -36,9 +36,9 @@ QColor toColor(const std_msgs::ColorRGBA& color)
 
 QColor colorOfTone(Tone tone)
 {
-  return toColor(tone == Tone::error     ? scene_colors::error()
-                 : tone == Tone::warning ? scene_colors::warning()
-                                         : scene_colors::text());
+  return toColor(tone == Tone::error     ? scene_colors::error
+                 : tone == Tone::warning ? scene_colors::warning
+                                         : scene_colors::text);
 }
 
 /// Paints the parts of the panel one below another. Without a painter it only measures them.
@@ -124,9 +124,9 @@ class PanelWriter
   {
     const QString text = QString("above scale: %1 MPa").arg(highest / 1e6, 0, 'f', 0);
     const int top = y_;
-    field(x, top, 2 * size_, size_, toColor(aboveScaleColor()));
+    field(x, top, 2 * size_, size_, toColor(scene_colors::above_scale));
     y_ -= size_ / 6;
-    write(text, x + 3 * size_, toColor(aboveScaleColor()), 1);
+    write(text, x + 3 * size_, toColor(scene_colors::above_scale), 1);
     y_ = top;
     return x + 3 * size_ + width(text);
   }

@@ -7,9 +7,6 @@
 #include "ros/markers/rail_motion.h"
 
 using namespace wheel_rail_contact;
-using visualization_msgs::Marker;
-using visualization_msgs::MarkerArray;
-
 namespace
 {
 class Scene : public ResultScene

@@ -6,9 +6,6 @@
 #include "ros/markers/track_markers.h"
 
 using namespace wheel_rail_contact;
-using visualization_msgs::Marker;
-using visualization_msgs::MarkerArray;
-
 namespace
 {
 class Picture : public ResultScene
@@ -26,16 +23,8 @@ class Picture : public ResultScene
 
 double width(const Marker& marker)
 {
-  const auto ends = std::minmax_element(marker.points.begin(), marker.points.end(),
-                                        [](const auto& a, const auto& b) { return a.y < b.y; });
-  return ends.second->y - ends.first->y;
-}
-
-double highest(const Marker& marker)
-{
-  return std::max_element(marker.points.begin(), marker.points.end(),
-                          [](const auto& a, const auto& b) { return a.z < b.z; })
-      ->z;
+  const auto [right, left] = range(marker, &geometry_msgs::Point::y);
+  return left - right;
 }
 
 void expectDrawable(const MarkerArray& markers)
@@ -113,21 +102,15 @@ TEST_F(Picture, MagnifiedPatchIsAboveItsRail)
   EXPECT_NEAR(width(zoomed), config.markers.zoom * 8e-3, config.markers.zoom * 0.5e-3);
   // The grid is symmetric about the origin of the patch, which is 0.1 mm below the track plane.
   const double height = config.markers.pressure_height * result.patches[0].pressure.maxCoeff() / max_pressure;
-  EXPECT_NEAR(highest(zoomed), config.markers.zoom_height + height - 1e-4, 1e-9);
+  EXPECT_NEAR(range(zoomed, &geometry_msgs::Point::z).second, config.markers.zoom_height + height - 1e-4, 1e-9);
 }
 
 TEST_F(Picture, MagnifiedPatchesOfOneWheelDoNotOverlap)
 {
   result.patches.push_back(makePatch(core::Side::right, 0.72));
   const MarkerArray markers = draw();
-  const auto right_end = [](const Marker& marker)
-  {
-    return std::min_element(marker.points.begin(), marker.points.end(),
-                            [](const auto& a, const auto& b) { return a.y < b.y; })
-        ->y;
-  };
   const Marker &tread = findMarker(markers, "zoom", 16), &flange = findMarker(markers, "zoom", 17);
-  EXPECT_GT(right_end(flange), right_end(tread) + width(tread));
+  EXPECT_GT(range(flange, &geometry_msgs::Point::y).first, range(tread, &geometry_msgs::Point::y).second);
 }
 
 TEST_F(Picture, ColourRepresentsThePressure)

@@ -69,16 +69,25 @@ class ResultScene : public testing::Test
   ContactOutput output;
 };
 
-inline const visualization_msgs::Marker& findMarker(const visualization_msgs::MarkerArray& markers,
-                                                    const std::string& ns, int id)
+using visualization_msgs::Marker;
+using visualization_msgs::MarkerArray;
+
+inline const Marker& findMarker(const MarkerArray& markers, const std::string& ns, int id)
 {
-  const auto found =
-      std::find_if(markers.markers.begin(), markers.markers.end(),
-                   [&](const visualization_msgs::Marker& marker) { return marker.ns == ns && marker.id == id; });
+  const auto found = std::find_if(markers.markers.begin(), markers.markers.end(),
+                                  [&](const Marker& marker) { return marker.ns == ns && marker.id == id; });
   if (found == markers.markers.end())
   {
     throw std::out_of_range("no marker " + ns + " " + std::to_string(id));
   }
   return *found;
+}
+
+/// Smallest and largest coordinate of the points of a marker.
+inline std::pair<double, double> range(const Marker& marker, double geometry_msgs::Point::*coordinate)
+{
+  const auto ends = std::minmax_element(marker.points.begin(), marker.points.end(),
+                                        [&](const auto& a, const auto& b) { return a.*coordinate < b.*coordinate; });
+  return {*ends.first.*coordinate, *ends.second.*coordinate};
 }
 }  // namespace wheel_rail_contact

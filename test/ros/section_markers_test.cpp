@@ -9,9 +9,6 @@
 #include "ros/markers/track_markers.h"
 
 using namespace wheel_rail_contact;
-using visualization_msgs::Marker;
-using visualization_msgs::MarkerArray;
-
 namespace
 {
 constexpr double x = 3;  ///< of the picture [m]
@@ -24,7 +21,7 @@ class SectionMarkers : public testing::Test
     TrackStyle style;
     style.rail_length = length;
     MarkerArray markers;
-    addRails(model_, style, std_msgs::Header(), {x, distance}, {}, markers);
+    addRails(model_, style, {x, distance}, {}, markers);
     return findMarker(markers, "rail", static_cast<int>(side));
   }
 
@@ -100,7 +97,7 @@ TEST_F(SectionMarkers, ConstantRailIsDrawnFromItsTwoEnds)
 TEST_F(SectionMarkers, EachPartAtRestIsALineOfItsOwn)
 {
   MarkerArray markers;
-  addRailsAtRest(model_, TrackStyle(), std_msgs::Header(), {x, 0.5}, markers);
+  addRailsAtRest(model_, TrackStyle(), {x, 0.5}, markers);
   ASSERT_EQ(markers.markers.size(), 3U);
   std::set<int> ids;
   for (const Marker& marker : markers.markers)

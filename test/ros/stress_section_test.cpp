@@ -6,9 +6,6 @@
 #include "ros/markers/scene_colors.h"
 
 using namespace wheel_rail_contact;
-using visualization_msgs::Marker;
-using visualization_msgs::MarkerArray;
-
 namespace
 {
 constexpr double deepest = 6e-3;                     // [m]
@@ -64,13 +61,6 @@ bool hasStressMarker(const MarkerArray& markers)
 {
   return std::any_of(markers.markers.begin(), markers.markers.end(),
                      [](const Marker& marker) { return marker.ns.find("stress") == 0; });
-}
-
-std::pair<double, double> range(const Marker& marker, double geometry_msgs::Point::*coordinate)
-{
-  const auto ends = std::minmax_element(marker.points.begin(), marker.points.end(),
-                                        [&](const auto& a, const auto& b) { return a.*coordinate < b.*coordinate; });
-  return {*ends.first.*coordinate, *ends.second.*coordinate};
 }
 
 /// Largest deviation of the colour of the points at a height from the colour of a stress.
@@ -157,7 +147,7 @@ TEST_F(StressSection, StressAboveTheScaleHasItsOwnColour)
 {
   options.max_stress = 0.9 * rail_peak;
   const Marker marker = section();
-  const std_msgs::ColorRGBA above = aboveScaleColor();
+  const std_msgs::ColorRGBA above = scene_colors::above_scale;
   for (std::size_t i = 0; i < marker.points.size(); ++i)
   {
     const double depth = (result.patches[0].pose.z - marker.points[i].z) / options.patch.zoom;

@@ -31,8 +31,7 @@ bool drawsStress(const SceneOptions& options)
 }
 
 /// Surfaces and outline of the pressure of a patch.
-void addPressure(const PatchPicture& picture, const SceneOptions& options, const std_msgs::Header& header,
-                 MarkerArray& markers)
+void addPressure(const PatchPicture& picture, const SceneOptions& options, MarkerArray& markers)
 {
   const bool magnified = options.patches && options.patch.zoom > 0;
   if (magnified || options.outlines)
@@ -40,56 +39,54 @@ void addPressure(const PatchPicture& picture, const SceneOptions& options, const
     const PressureSurface fine = fineSurface(picture, options.patch);
     if (magnified)
     {
-      markers.markers.push_back(zoomedPatch(picture, fine, options.patch, header));
+      markers.markers.push_back(zoomedPatch(picture, fine, options.patch));
     }
     if (options.outlines)
     {
-      markers.markers.push_back(patchOutline(picture, fine, options.patch, header));
+      markers.markers.push_back(patchOutline(picture, fine, options.patch));
     }
   }
   if (options.patches && (options.patch.lift > 0 || !magnified))
   {
-    markers.markers.push_back(truePatch(picture, options.patch, header));
+    markers.markers.push_back(truePatch(picture, options.patch));
   }
   if (magnified && options.patch.lift > 0)
   {
-    markers.markers.push_back(zoomLine(picture, options.patch, header));
+    markers.markers.push_back(zoomLine(picture, options.patch));
   }
 }
 
-void addPatch(const PatchPicture& picture, const SceneOptions& options, const std_msgs::Header& header,
-              MarkerArray& markers)
+void addPatch(const PatchPicture& picture, const SceneOptions& options, MarkerArray& markers)
 {
   if (picture.patch->pressure.size() > 0 && (options.patches || options.outlines))
   {
-    addPressure(picture, options, header, markers);
+    addPressure(picture, options, markers);
   }
   if (options.forces && options.patch.force_scale * picture.patch->normal_force > 0)
   {
-    markers.markers.push_back(forceArrow(picture, options.patch, header));
+    markers.markers.push_back(forceArrow(picture, options.patch));
   }
   const core::CreepForce& friction = picture.patch->creep.force;
   if (options.friction && options.patch.force_scale * std::hypot(friction.x, friction.y) > 0)
   {
     const bool covered = options.patches && options.patch.zoom > 0 && options.patch.lift == 0;
-    markers.markers.push_back(frictionArrow(picture, options.patch, covered, header));
+    markers.markers.push_back(frictionArrow(picture, options.patch, covered));
   }
   if (options.labels)
   {
-    markers.markers.push_back(patchLabel(picture, options.patch, header));
+    markers.markers.push_back(patchLabel(picture, options.patch));
   }
 }
 
 /// @param pictures patches of a side
 /// @param x position of the axle centre in the picture [m]
-void addStress(const std::vector<PatchPicture>& pictures, double x, const SceneOptions& options,
-               const std_msgs::Header& header, MarkerArray& markers)
+void addStress(const std::vector<PatchPicture>& pictures, double x, const SceneOptions& options, MarkerArray& markers)
 {
   StressStyle style;
   style.max_stress = options.max_stress;
   style.rear = x - 0.5 * options.track.rail_length;
   style.labels = options.labels;
-  addStressSections(pictures, options.patch, style, header, markers);
+  addStressSections(pictures, options.patch, style, markers);
 }
 
 /// @param x position of the axle centre in the picture [m]
@@ -100,21 +97,20 @@ void addScales(const ContactOutput& output, double x, const SceneOptions& option
   scale.max = options.patch.max_pressure;
   scale.highest = highestPressure(output, options.track.sides);
   scale.caption = stress > 0 ? "pressure" : "";
-  addScale(scale, {x, 0}, output.header, markers);
+  addScale(scale, {x, 0}, markers);
   if (stress > 0)
   {
-    addScale({"stress_scale", "von Mises stress", options.max_stress, stress}, {x, stress_scale_y}, output.header,
-             markers);
+    addScale({"stress_scale", "von Mises stress", options.max_stress, stress}, {x, stress_scale_y}, markers);
   }
 }
 
 /// @param shift displacement of the drawn points along the track [m]
 void addTrail(const ContactTrail& trail, const core::WheelsetResult& drawn,
               const std::optional<core::Sides<core::PlacedRail>>& at_rest, double shift, const SceneOptions& options,
-              const std_msgs::Header& header, MarkerArray& markers)
+              MarkerArray& markers)
 {
-  Marker marker = makeMarker(header, "trail", static_cast<int>(options.track.sides.front()), Marker::SPHERE_LIST,
-                             makeColor(1, 1, 1));
+  Marker marker =
+      makeMarker("trail", static_cast<int>(options.track.sides.front()), Marker::SPHERE_LIST, makeColor(1, 1, 1));
   marker.scale.x = marker.scale.y = marker.scale.z = options.trail_width;
   for (const TrailPoint& point : trail.points())
   {
@@ -135,21 +131,20 @@ void addTrail(const ContactTrail& trail, const core::WheelsetResult& drawn,
 
 /// @param pose null: without the wheelset
 void addTrack(const core::ContactModelConfig& model, const core::WheelsetResult& drawn, const core::WheelsetPose* pose,
-              const DrawnPlace& place, const SceneOptions& options, const std_msgs::Header& header,
-              MarkerArray& markers)
+              const DrawnPlace& place, const SceneOptions& options, MarkerArray& markers)
 {
   if (options.rails)
   {
-    addRails(model, options.track, header, place, {drawn.rail.left.deflection, drawn.rail.right.deflection}, markers);
+    addRails(model, options.track, place, {drawn.rail.left.deflection, drawn.rail.right.deflection}, markers);
   }
   if (options.rails_at_rest)
   {
     const double behind = 0.5 * options.track.rail_length;
-    addRailsAtRest(model, options.track, header, {place.x - behind, place.distance - behind}, markers);
+    addRailsAtRest(model, options.track, {place.x - behind, place.distance - behind}, markers);
   }
   if (options.wheels && pose)
   {
-    addWheelset(model, options.track, header, place.x, *pose, markers);
+    addWheelset(model, options.track, place.x, *pose, markers);
   }
 }
 
@@ -165,9 +160,8 @@ void addStatus(const ContactOutput& output, double x, const SceneOptions& option
     {
       text += (text.empty() ? "" : "\n") + line.text;
     }
-    const std_msgs::ColorRGBA color = tone == Tone::error ? scene_colors::error() : scene_colors::warning();
-    markers.markers.push_back(
-        makeText(output.header, "status", 0, {x, 0, status_height}, options.patch.letter_height, text, color));
+    const std_msgs::ColorRGBA color = tone == Tone::error ? scene_colors::error : scene_colors::warning;
+    markers.markers.push_back(makeText("status", 0, {x, 0, status_height}, options.patch.letter_height, text, color));
   }
 }
 }  // namespace
@@ -214,22 +208,21 @@ MarkerArray sceneMarkers(const ContactOutput& output, const core::ContactModelCo
   if (model)
   {
     const core::WheelsetPose pose = output.pose();
-    addTrack(*model, drawn, hasPose(output) ? &pose : nullptr, {x, output.state.distance}, options, output.header,
-             markers);
+    addTrack(*model, drawn, hasPose(output) ? &pose : nullptr, {x, output.state.distance}, options, markers);
   }
   for (const core::Side side : options.track.sides)
   {
     const std::vector<PatchPicture> pictures = arrangePatches(drawn, side, x, options.patch);
     for (const PatchPicture& picture : pictures)
     {
-      addPatch(picture, options, output.header, markers);
+      addPatch(picture, options, markers);
     }
     if (drawsStress(options))
     {
-      addStress(pictures, x, options, output.header, markers);
+      addStress(pictures, x, options, markers);
     }
   }
-  addTrail(trail, drawn, restingRails(model, output.state.distance), x - output.x(), options, output.header, markers);
+  addTrail(trail, drawn, restingRails(model, output.state.distance), x - output.x(), options, markers);
   if (options.scale)
   {
     addScales(output, x, options, markers);
@@ -239,6 +232,7 @@ MarkerArray sceneMarkers(const ContactOutput& output, const core::ContactModelCo
     addStatus(output, x, options, markers);
   }
   move(options.view.inverse(), markers);
+  setHeader(output.header, markers);
   return markers;
 }
 }  // namespace wheel_rail_contact

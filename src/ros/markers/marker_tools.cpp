@@ -43,11 +43,9 @@ geometry_msgs::Point toPoint(const Eigen::Vector3d& p)
   return point;
 }
 
-Marker makeMarker(const std_msgs::Header& header, const std::string& ns, int id, int type,
-                  const std_msgs::ColorRGBA& color)
+Marker makeMarker(const std::string& ns, int id, int type, const std_msgs::ColorRGBA& color)
 {
   Marker marker;
-  marker.header = header;
   marker.ns = ns;
   marker.id = id;
   marker.type = type;
@@ -58,10 +56,10 @@ Marker makeMarker(const std_msgs::Header& header, const std::string& ns, int id,
   return marker;
 }
 
-Marker makeText(const std_msgs::Header& header, const std::string& ns, int id, const Vector3d& place, double height,
-                const std::string& text, const std_msgs::ColorRGBA& color)
+Marker makeText(const std::string& ns, int id, const Vector3d& place, double height, const std::string& text,
+                const std_msgs::ColorRGBA& color)
 {
-  Marker marker = makeMarker(header, ns, id, Marker::TEXT_VIEW_FACING, color);
+  Marker marker = makeMarker(ns, id, Marker::TEXT_VIEW_FACING, color);
   marker.pose.position = toPoint(place);
   marker.scale.z = height;
   marker.text = text;
@@ -103,6 +101,14 @@ void move(const Eigen::Isometry3d& motion, visualization_msgs::MarkerArray& mark
     const geometry_msgs::Quaternion& q = pose.orientation;
     pose.position = toPoint(motion * Vector3d(p.x, p.y, p.z));
     pose.orientation = toMessage(turn * Eigen::Quaterniond(q.w, q.x, q.y, q.z));
+  }
+}
+
+void setHeader(const std_msgs::Header& header, visualization_msgs::MarkerArray& markers)
+{
+  for (Marker& marker : markers.markers)
+  {
+    marker.header = header;
   }
 }
 

@@ -16,15 +16,13 @@ std_msgs::ColorRGBA makeColor(double r, double g, double b, double a = 1);
 /// Point as a message.
 geometry_msgs::Point toPoint(const Eigen::Vector3d& p);
 
-/// A marker with action ADD, at the origin of its frame, with unit scale.
-visualization_msgs::Marker makeMarker(const std_msgs::Header& header, const std::string& ns, int id, int type,
-                                      const std_msgs::ColorRGBA& color);
+/// A marker with action ADD, at the origin of its frame, with unit scale. Its header is set by setHeader().
+visualization_msgs::Marker makeMarker(const std::string& ns, int id, int type, const std_msgs::ColorRGBA& color);
 
 /// A text marker.
 /// @param height height of the letters [m]
-visualization_msgs::Marker makeText(const std_msgs::Header& header, const std::string& ns, int id,
-                                    const Eigen::Vector3d& place, double height, const std::string& text,
-                                    const std_msgs::ColorRGBA& color);
+visualization_msgs::Marker makeText(const std::string& ns, int id, const Eigen::Vector3d& place, double height,
+                                    const std::string& text, const std_msgs::ColorRGBA& color);
 
 /// Points of a surface, row by row. All rows have the same length.
 using SurfacePoints = std::vector<std::vector<Eigen::Vector3d>>;
@@ -48,6 +46,9 @@ using MarkerKeys = std::set<MarkerKey>;
 /// Moves markers as a rigid body.
 /// @param motion from the old to the new place, in the frame of the markers
 void move(const Eigen::Isometry3d& motion, visualization_msgs::MarkerArray& markers);
+
+/// Sets the header of all markers.
+void setHeader(const std_msgs::Header& header, visualization_msgs::MarkerArray& markers);
 
 /// Keys of all markers of an array.
 MarkerKeys keysOf(const visualization_msgs::MarkerArray& markers);

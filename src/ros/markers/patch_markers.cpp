@@ -145,55 +145,52 @@ PressureSurface fineSurface(const PatchPicture& picture, const PatchStyle& style
   return {picture.patch->grid, picture.patch->pressure, style.points};
 }
 
-Marker truePatch(const PatchPicture& picture, const PatchStyle& style, const std_msgs::Header& header)
+Marker truePatch(const PatchPicture& picture, const PatchStyle& style)
 {
-  Marker marker = makeMarker(header, "patch", picture.id, Marker::TRIANGLE_LIST, makeColor(1, 1, 1));
+  Marker marker = makeMarker("patch", picture.id, Marker::TRIANGLE_LIST, makeColor(1, 1, 1));
   const PressureSurface cells(picture.patch->grid, picture.patch->pressure, 1);
   addPressure(cells, 1, 0, style.max_pressure, liftedToTrack(picture), marker);
   return marker;
 }
 
-Marker zoomedPatch(const PatchPicture& picture, const PressureSurface& fine, const PatchStyle& style,
-                   const std_msgs::Header& header)
+Marker zoomedPatch(const PatchPicture& picture, const PressureSurface& fine, const PatchStyle& style)
 {
-  Marker marker = makeMarker(header, "zoom", picture.id, Marker::TRIANGLE_LIST, makeColor(1, 1, 1));
+  Marker marker = makeMarker("zoom", picture.id, Marker::TRIANGLE_LIST, makeColor(1, 1, 1));
   addPressure(fine, style.zoom, style.pressure_height, style.max_pressure, zoomedToTrack(picture, style.zoom), marker);
   return marker;
 }
 
-Marker patchOutline(const PatchPicture& picture, const PressureSurface& fine, const PatchStyle& style,
-                    const std_msgs::Header& header)
+Marker patchOutline(const PatchPicture& picture, const PressureSurface& fine, const PatchStyle& style)
 {
-  Marker marker = makeMarker(header, "outline", picture.id, Marker::LINE_LIST, makeColor(0.95, 0.95, 0.95));
+  Marker marker = makeMarker("outline", picture.id, Marker::LINE_LIST, makeColor(0.95, 0.95, 0.95));
   marker.scale.x = style.line_width;
   addOutline(fine, style.zoom, zoomedToTrack(picture, style.zoom), marker);
   return marker;
 }
 
-Marker zoomLine(const PatchPicture& picture, const PatchStyle& style, const std_msgs::Header& header)
+Marker zoomLine(const PatchPicture& picture, const PatchStyle& style)
 {
-  Marker marker = makeMarker(header, "zoom_line", picture.id, Marker::LINE_LIST, makeColor(0.8, 0.8, 0.8, 0.6));
+  Marker marker = makeMarker("zoom_line", picture.id, Marker::LINE_LIST, makeColor(0.8, 0.8, 0.8, 0.6));
   marker.scale.x = style.line_width;
   marker.points = {toPoint(picture.to_track.translation()), toPoint(picture.zoom_place)};
   return marker;
 }
 
-Marker forceArrow(const PatchPicture& picture, const PatchStyle& style, const std_msgs::Header& header)
+Marker forceArrow(const PatchPicture& picture, const PatchStyle& style)
 {
   return arrowOf({0, 0, -picture.patch->normal_force}, Vector3d::Zero(), picture, style,
-                 makeMarker(header, "force", picture.id, Marker::ARROW, scene_colors::force()));
+                 makeMarker("force", picture.id, Marker::ARROW, scene_colors::force));
 }
 
-Marker frictionArrow(const PatchPicture& picture, const PatchStyle& style, bool above_surface,
-                     const std_msgs::Header& header)
+Marker frictionArrow(const PatchPicture& picture, const PatchStyle& style, bool above_surface)
 {
   const core::CreepForce& on_wheel = picture.patch->creep.force;
   const Vector3d from(0, 0, above_surface ? pressureHeight(picture, style) + style.arrow_width : 0);
   return arrowOf({-on_wheel.x, -on_wheel.y, 0}, from, picture, style,
-                 makeMarker(header, "friction", picture.id, Marker::ARROW, scene_colors::friction()));
+                 makeMarker("friction", picture.id, Marker::ARROW, scene_colors::friction));
 }
 
-Marker patchLabel(const PatchPicture& picture, const PatchStyle& style, const std_msgs::Header& header)
+Marker patchLabel(const PatchPicture& picture, const PatchStyle& style)
 {
   char text[64];
   std::snprintf(text, sizeof text, "%.0f MPa%s\n%.0f mm²", picture.patch->max_pressure / 1e6,
@@ -201,7 +198,6 @@ Marker patchLabel(const PatchPicture& picture, const PatchStyle& style, const st
   const double half_width = 0.5 * zoomedWidth(*picture.patch, style.zoom);
   const double edge_height = half_width * std::abs(picture.zoom_turn(2, 1));
   const Vector3d above(0, 0, pressureHeight(picture, style) + edge_height + 2.2 * style.letter_height);
-  return makeText(header, "label", picture.id, picture.zoom_place + above, style.letter_height, text,
-                  scene_colors::text());
+  return makeText("label", picture.id, picture.zoom_place + above, style.letter_height, text, scene_colors::text);
 }
 }  // namespace wheel_rail_contact

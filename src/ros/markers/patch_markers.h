@@ -46,26 +46,21 @@ std::vector<PatchPicture> arrangePatches(const core::WheelsetResult& result, cor
 PressureSurface fineSurface(const PatchPicture& picture, const PatchStyle& style);
 
 /// Patch in true size on the rail, coloured by pressure (pressureColor()): "patch".
-visualization_msgs::Marker truePatch(const PatchPicture& picture, const PatchStyle& style,
-                                     const std_msgs::Header& header);
+visualization_msgs::Marker truePatch(const PatchPicture& picture, const PatchStyle& style);
 /// Magnified patch, with the pressure as height and colour: "zoom". Above the scale the height remains that of the
-/// upper end, and the colour is aboveScaleColor().
+/// upper end, and the colour is scene_colors::above_scale.
 visualization_msgs::Marker zoomedPatch(const PatchPicture& picture, const PressureSurface& fine,
-                                       const PatchStyle& style, const std_msgs::Header& header);
+                                       const PatchStyle& style);
 /// Edge of the contact, magnified: "outline".
 visualization_msgs::Marker patchOutline(const PatchPicture& picture, const PressureSurface& fine,
-                                        const PatchStyle& style, const std_msgs::Header& header);
+                                        const PatchStyle& style);
 /// Line from the true patch to the magnified one: "zoom_line".
-visualization_msgs::Marker zoomLine(const PatchPicture& picture, const PatchStyle& style,
-                                    const std_msgs::Header& header);
+visualization_msgs::Marker zoomLine(const PatchPicture& picture, const PatchStyle& style);
 /// Normal force of the wheel on the rail, as an arrow from the patch into the rail: "force".
-visualization_msgs::Marker forceArrow(const PatchPicture& picture, const PatchStyle& style,
-                                      const std_msgs::Header& header);
+visualization_msgs::Marker forceArrow(const PatchPicture& picture, const PatchStyle& style);
 /// Friction of the wheel on the rail, as an arrow from the patch in its tangent plane: "friction".
 /// @param above_surface true: above the surface of the pressure, which would hide it
-visualization_msgs::Marker frictionArrow(const PatchPicture& picture, const PatchStyle& style, bool above_surface,
-                                         const std_msgs::Header& header);
+visualization_msgs::Marker frictionArrow(const PatchPicture& picture, const PatchStyle& style, bool above_surface);
 /// Highest pressure, a note if it is above the scale, and area above the magnified patch: "label".
-visualization_msgs::Marker patchLabel(const PatchPicture& picture, const PatchStyle& style,
-                                      const std_msgs::Header& header);
+visualization_msgs::Marker patchLabel(const PatchPicture& picture, const PatchStyle& style);
 }  // namespace wheel_rail_contact

@@ -53,77 +53,45 @@ double highestPressure(const ContactOutput& output, const std::vector<core::Side
                    });
 }
 
-namespace
+void addScale(const ColorScale& scale, const ScalePlace& place, MarkerArray& markers)
 {
-constexpr int steps = 32, labels = 5;
-constexpr double bottom = 0.06, height = 0.30, width = 0.03, letters = 0.035;  // [m]
-
-/// Appends markers of a colour scale.
-class ScaleWriter
-{
- public:
-  ScaleWriter(const ColorScale& scale, const ScalePlace& place, const std_msgs::Header& header, MarkerArray& markers)
-      : scale_(scale),
-        place_(place),
-        header_(header),
-        markers_(markers),
-        bar_(makeMarker(header, scale.ns, 0, Marker::TRIANGLE_LIST, makeColor(1, 1, 1)))
+  constexpr int steps = 32, labels = 5;
+  constexpr double bottom = 0.06, height = 0.30, width = 0.03, letters = 0.035;  // [m]
+  Marker bar = makeMarker(scale.ns, 0, Marker::TRIANGLE_LIST, makeColor(1, 1, 1));
+  const auto add_field =
+      [&](double low, double high, const std_msgs::ColorRGBA& below, const std_msgs::ColorRGBA& above)
   {
-  }
-
-  /// Field of the bar between two heights [m].
-  void field(double low, double high, const std_msgs::ColorRGBA& below, const std_msgs::ColorRGBA& above)
-  {
-    const double x = place_.x, left = place_.y, right = place_.y - width;
+    const double x = place.x, left = place.y, right = place.y - width;
     addQuadrilateral({{x, left, low}, {x, right, low}, {x, right, high}, {x, left, high}}, {below, below, above, above},
-                     bar_);
-  }
-
-  /// Text at a place.
-  /// @param y relative to the left edge of the scale [m]
-  /// @param z height [m]
-  void text(int number, double y, double z, const std::string& text, const std_msgs::ColorRGBA& color)
-  {
-    markers_.markers.push_back(makeText(header_, scale_.ns, number, {place_.x, place_.y + y, z}, letters, text, color));
-  }
-
-  void finish() { markers_.markers.push_back(bar_); }
-
- private:
-  const ColorScale& scale_;
-  const ScalePlace& place_;
-  const std_msgs::Header& header_;
-  MarkerArray& markers_;
-  Marker bar_;
-};
-}  // namespace
-
-void addScale(const ColorScale& scale, const ScalePlace& place, const std_msgs::Header& header, MarkerArray& markers)
-{
-  ScaleWriter writer(scale, place, header, markers);
+                     bar);
+  };
+  // y: relative to the left edge of the scale
+  const auto add_text = [&](int number, double y, double z, const std::string& text, const std_msgs::ColorRGBA& color) {
+    markers.markers.push_back(makeText(scale.ns, number, {place.x, place.y + y, z}, letters, text, color));
+  };
   for (int i = 0; i < steps; ++i)
   {
     const double low = static_cast<double>(i) / steps, high = static_cast<double>(i + 1) / steps;
-    writer.field(bottom + height * low, bottom + height * high, colorOf(low), colorOf(high));
+    add_field(bottom + height * low, bottom + height * high, colorOf(low), colorOf(high));
   }
   for (int i = 0; i < labels; ++i)
   {
     const double share = static_cast<double>(i) / (labels - 1);
-    writer.text(i + 1, -width - 2.7 * letters, bottom + height * share,
-                formatted(i + 1 == labels ? "%.0f MPa" : "%.0f", share * scale.max / 1e6), scene_colors::text());
+    add_text(i + 1, -width - 2.7 * letters, bottom + height * share,
+             formatted(i + 1 == labels ? "%.0f MPa" : "%.0f", share * scale.max / 1e6), scene_colors::text);
   }
   const double top = bottom + height;
   const bool above = scale.highest > scale.max;
   if (above)
   {
-    writer.field(top, top + 2 * letters, aboveScaleColor(), aboveScaleColor());
-    writer.text(labels + 1, -0.5 * width, top + 3 * letters, formatted("above scale: %.0f MPa", scale.highest / 1e6),
-                aboveScaleColor());
+    add_field(top, top + 2 * letters, scene_colors::above_scale, scene_colors::above_scale);
+    add_text(labels + 1, -0.5 * width, top + 3 * letters, formatted("above scale: %.0f MPa", scale.highest / 1e6),
+             scene_colors::above_scale);
   }
   if (!scale.caption.empty())
   {
-    writer.text(labels + 2, -0.5 * width, top + (above ? 4.5 : 2) * letters, scale.caption, scene_colors::text());
+    add_text(labels + 2, -0.5 * width, top + (above ? 4.5 : 2) * letters, scale.caption, scene_colors::text);
   }
-  writer.finish();
+  markers.markers.push_back(bar);
 }
 }  // namespace wheel_rail_contact

@@ -70,8 +70,7 @@ struct ScalePlace
   double y = 0;  ///< of the left edge [m]
 };
 
-/// Colour scale between the rails, with labels in MPa. If a value is above the scale, a field in aboveScaleColor() and
-/// the highest value are above its upper end.
-void addScale(const ColorScale& scale, const ScalePlace& place, const std_msgs::Header& header,
-              visualization_msgs::MarkerArray& markers);
+/// Colour scale between the rails, with labels in MPa. If a value is above the scale, a field in
+/// scene_colors::above_scale and the highest value are above its upper end.
+void addScale(const ColorScale& scale, const ScalePlace& place, visualization_msgs::MarkerArray& markers);
 }  // namespace wheel_rail_contact

@@ -58,12 +58,12 @@ const Outline* partNear(const Outline& part, const std::vector<Outline>& section
 }
 }  // namespace
 
-void addRails(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header,
-              const DrawnPlace& place, const core::Sides<core::RailDeflection>& deflection, MarkerArray& markers)
+void addRails(const core::ContactModelConfig& model, const TrackStyle& style, const DrawnPlace& place,
+              const core::Sides<core::RailDeflection>& deflection, MarkerArray& markers)
 {
   for (const core::Side side : style.sides)
   {
-    Marker marker = makeMarker(header, "rail", static_cast<int>(side), Marker::TRIANGLE_LIST,
+    Marker marker = makeMarker("rail", static_cast<int>(side), Marker::TRIANGLE_LIST,
                                makeColor(0.62, 0.64, 0.67, style.rail_alpha));
     const double intervals = model.rail_sections[side] ? std::ceil(style.rail_length / section_spacing) : 1;
     std::vector<Outline> before;
@@ -85,15 +85,15 @@ void addRails(const core::ContactModelConfig& model, const TrackStyle& style, co
   }
 }
 
-void addRailsAtRest(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header,
-                    const DrawnPlace& place, MarkerArray& markers)
+void addRailsAtRest(const core::ContactModelConfig& model, const TrackStyle& style, const DrawnPlace& place,
+                    MarkerArray& markers)
 {
   for (const core::Side side : style.sides)
   {
     int id = static_cast<int>(side);
     for (const Outline& part : railOutlines(core::restingRail(model, side, place.distance), side, place.x))
     {
-      Marker marker = makeMarker(header, "rail_at_rest", id, Marker::LINE_STRIP, scene_colors::railAtRest());
+      Marker marker = makeMarker("rail_at_rest", id, Marker::LINE_STRIP, scene_colors::rail_at_rest);
       marker.scale.x = style.line_width;
       std::transform(part.begin(), part.end(), std::back_inserter(marker.points), toPoint);
       markers.markers.push_back(marker);

@@ -30,9 +30,4 @@ std_msgs::ColorRGBA colorOf(double value)
   const double t = value > 0 ? std::min(value, 1.0) : 0.0;  // 0 for NaN
   return makeColor(evaluate(red, t), evaluate(green, t), evaluate(blue, t));
 }
-
-std_msgs::ColorRGBA aboveScaleColor()
-{
-  return makeColor(1, 0.1, 0.8);
-}
 }  // namespace wheel_rail_contact

@@ -14,54 +14,33 @@ namespace wheel_rail_contact
 /// with the common types of colour blindness.
 std_msgs::ColorRGBA colorOf(double value);
 
-/// Magenta, which is not a colour of colorOf(): values above the scale.
-std_msgs::ColorRGBA aboveScaleColor();
-
 /// Colours that the markers and the legend of the screen panel share.
 namespace scene_colors
 {
 /// Text without a fault.
-inline std_msgs::ColorRGBA text()
-{
-  return makeColor(0.95, 0.95, 0.95);
-}
+inline const std_msgs::ColorRGBA text = makeColor(0.95, 0.95, 0.95);
 /// A usable result with a warning, or with a wheel that carries no load.
-inline std_msgs::ColorRGBA warning()
-{
-  return makeColor(1.0, 0.75, 0.25);
-}
+inline const std_msgs::ColorRGBA warning = makeColor(1.0, 0.75, 0.25);
+/// Values above the scale: magenta, which is not a colour of colorOf().
+inline const std_msgs::ColorRGBA above_scale = makeColor(1, 0.1, 0.8);
 /// A result that is not usable.
-inline std_msgs::ColorRGBA error()
-{
-  return makeColor(1.0, 0.35, 0.30);
-}
+inline const std_msgs::ColorRGBA error = makeColor(1.0, 0.35, 0.30);
 /// Normal force of a wheel on its rail.
-inline std_msgs::ColorRGBA force()
-{
-  return makeColor(0.90, 0.30, 0.20);
-}
+inline const std_msgs::ColorRGBA force = makeColor(0.90, 0.30, 0.20);
 /// Friction of a wheel on its rail.
-inline std_msgs::ColorRGBA friction()
-{
-  return makeColor(0.35, 0.55, 1.0);
-}
+inline const std_msgs::ColorRGBA friction = makeColor(0.35, 0.55, 1.0);
 /// Section of a rail at rest.
-inline std_msgs::ColorRGBA railAtRest()
-{
-  return makeColor(0.95, 0.65, 0.2, 0.9);
-}
+inline const std_msgs::ColorRGBA rail_at_rest = makeColor(0.95, 0.65, 0.2, 0.9);
 /// Section of a wheel.
-inline std_msgs::ColorRGBA wheelSection()
-{
-  return makeColor(0.45, 0.80, 1.0);
-}
+inline const std_msgs::ColorRGBA wheel_section = makeColor(0.45, 0.80, 1.0);
 }  // namespace scene_colors
 
-/// Colour of a pressure or a von Mises stress: colorOf() within the scale, and aboveScaleColor() above its upper end.
+/// Colour of a pressure or a von Mises stress: colorOf() within the scale, and scene_colors::above_scale above its
+/// upper end.
 /// @param pressure or stress [Pa]
 /// @param max_pressure upper end of the scale [Pa], > 0
 inline std_msgs::ColorRGBA pressureColor(double pressure, double max_pressure)
 {
-  return pressure > max_pressure ? aboveScaleColor() : colorOf(pressure / max_pressure);
+  return pressure > max_pressure ? scene_colors::above_scale : colorOf(pressure / max_pressure);
 }
 }  // namespace wheel_rail_contact

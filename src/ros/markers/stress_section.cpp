@@ -138,9 +138,9 @@ void addBody(const Body& body, const Section& section, double max_stress, Marker
   }
 }
 
-Marker sectionMarker(const Section& section, double max_stress, const std_msgs::Header& header)
+Marker sectionMarker(const Section& section, double max_stress)
 {
-  Marker marker = makeMarker(header, "stress", section.id, Marker::TRIANGLE_LIST, makeColor(1, 1, 1));
+  Marker marker = makeMarker("stress", section.id, Marker::TRIANGLE_LIST, makeColor(1, 1, 1));
   for (const Body& body : bodiesOf(section.patch))
   {
     if (hasField(body.stress))
@@ -151,9 +151,9 @@ Marker sectionMarker(const Section& section, double max_stress, const std_msgs::
   return marker;
 }
 
-Marker linesMarker(const Section& section, double line_width, const std_msgs::Header& header)
+Marker linesMarker(const Section& section, double line_width)
 {
-  Marker marker = makeMarker(header, "stress_lines", section.id, Marker::LINE_LIST, scene_colors::text());
+  Marker marker = makeMarker("stress_lines", section.id, Marker::LINE_LIST, scene_colors::text);
   marker.scale.x = line_width;
   const auto add = [&](const Vector3d& from, const Vector3d& to)
   {
@@ -178,16 +178,16 @@ Marker linesMarker(const Section& section, double line_width, const std_msgs::He
 }
 
 /// Highest stress of a body, beyond the deep end of its section.
-Marker labelMarker(const Body& body, const Section& section, double letter_height, const std_msgs::Header& header)
+Marker labelMarker(const Body& body, const Section& section, double letter_height)
 {
   const double deepest = body.stress.field.back().depth;
   const Vector3d end = section.to_track * (section.zoom * Vector3d(0, middleOf(section.patch.grid), body.up * deepest));
   // In front of the sections, seen along the track: the next one may be wider than the space between them.
   const Vector3d shift(-0.5 * letter_height, 0, label_distance * letter_height * body.up);
   const core::StressPeak& peak = body.stress.von_mises;
-  return makeText(header, "stress_label", 2 * section.id + (body.up > 0 ? 1 : 0), end + shift, letter_height,
+  return makeText("stress_label", 2 * section.id + (body.up > 0 ? 1 : 0), end + shift, letter_height,
                   formatted("%s %.0f MPa\n%.1f mm deep", body.name, peak.value / 1e6, 1e3 * peak.depth),
-                  scene_colors::text());
+                  scene_colors::text);
 }
 
 double highestOf(const core::PatchStress& stress, int row)
@@ -205,17 +205,17 @@ double highestOf(const core::PatchStress& stress, int row)
 }  // namespace
 
 void addStressSections(const std::vector<PatchPicture>& pictures, const PatchStyle& patch, const StressStyle& style,
-                       const std_msgs::Header& header, visualization_msgs::MarkerArray& markers)
+                       visualization_msgs::MarkerArray& markers)
 {
   for (const Section& section : arrange(pictures, patch, style.rear))
   {
-    markers.markers.push_back(sectionMarker(section, style.max_stress, header));
-    markers.markers.push_back(linesMarker(section, patch.line_width, header));
+    markers.markers.push_back(sectionMarker(section, style.max_stress));
+    markers.markers.push_back(linesMarker(section, patch.line_width));
     for (const Body& body : bodiesOf(section.patch))
     {
       if (style.labels && hasField(body.stress))
       {
-        markers.markers.push_back(labelMarker(body, section, patch.letter_height, header));
+        markers.markers.push_back(labelMarker(body, section, patch.letter_height));
       }
     }
   }

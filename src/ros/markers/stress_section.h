@@ -31,7 +31,7 @@ struct StressStyle
 /// track to the rear end of the rail.
 /// @param pictures patches of a side, as arranged by arrangePatches()
 void addStressSections(const std::vector<PatchPicture>& pictures, const PatchStyle& patch, const StressStyle& style,
-                       const std_msgs::Header& header, visualization_msgs::MarkerArray& markers);
+                       visualization_msgs::MarkerArray& markers);
 
 /// Highest von Mises stress of the sections of these sides [Pa]: that of the patches or of the points of their
 /// sections, whichever is higher; 0 without a field.

@@ -57,13 +57,12 @@ Vector3d wheelPoint(const core::WheelsetConfig& wheelset, core::Side side, const
   return {radius * std::sin(turn), core::sideSign(side) * (wheelset.halfBase() + p.y), -radius * std::cos(turn)};
 }
 
-Marker tread(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header,
-             core::Side side, const Eigen::Isometry3d& to_track)
+Marker tread(const core::ContactModelConfig& model, const TrackStyle& style, core::Side side,
+             const Eigen::Isometry3d& to_track)
 {
   const double begin = rearEnd(style), angle = style.wheel_sweep - begin;
   const int intervals = std::max(1, static_cast<int>(std::lround(angle / row_spacing)));
-  Marker marker =
-      makeMarker(header, "wheel", static_cast<int>(side), Marker::TRIANGLE_LIST, wheelColor(style.wheel_alpha));
+  Marker marker = makeMarker("wheel", static_cast<int>(side), Marker::TRIANGLE_LIST, wheelColor(style.wheel_alpha));
   const core::Profile& profile = *model.wheel_profile[side];
   SurfacePoints points;
   for (int row = 0; row <= intervals; ++row)
@@ -81,11 +80,10 @@ Marker tread(const core::ContactModelConfig& model, const TrackStyle& style, con
 }
 
 /// Wheel profile at the rear end of the drawn surface, behind the contact.
-Marker wheelProfile(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header,
-                    core::Side side, const Eigen::Isometry3d& to_track)
+Marker wheelProfile(const core::ContactModelConfig& model, const TrackStyle& style, core::Side side,
+                    const Eigen::Isometry3d& to_track)
 {
-  Marker marker =
-      makeMarker(header, "wheel_profile", static_cast<int>(side), Marker::LINE_STRIP, scene_colors::wheelSection());
+  Marker marker = makeMarker("wheel_profile", static_cast<int>(side), Marker::LINE_STRIP, scene_colors::wheel_section);
   marker.scale.x = style.profile_line_width;
   const core::Profile& profile = *model.wheel_profile[side];
   for (int i = 0; i < profile_points; ++i)
@@ -103,10 +101,10 @@ void addSegment(const Vector3d& begin, const Vector3d& end, Marker& marker)
 }
 
 /// Circles of a wheel through the flange tip and through the end of the profile, as a LINE_LIST.
-Marker circles(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header,
-               core::Side side, const Eigen::Isometry3d& to_track)
+Marker circles(const core::ContactModelConfig& model, const TrackStyle& style, core::Side side,
+               const Eigen::Isometry3d& to_track)
 {
-  Marker marker = makeMarker(header, "wheel_lines", static_cast<int>(side), Marker::LINE_LIST, lineColor());
+  Marker marker = makeMarker("wheel_lines", static_cast<int>(side), Marker::LINE_LIST, lineColor());
   marker.scale.x = style.line_width;
   const core::Profile& profile = *model.wheel_profile[side];
   core::CurvePoint tip = profile.at(0);
@@ -127,9 +125,9 @@ Marker circles(const core::ContactModelConfig& model, const TrackStyle& style, c
   return marker;
 }
 
-Marker axle(const core::ContactModelConfig& model, const std_msgs::Header& header, const Eigen::Isometry3d& to_track)
+Marker axle(const core::ContactModelConfig& model, const Eigen::Isometry3d& to_track)
 {
-  Marker marker = makeMarker(header, "wheel_lines", 2, Marker::CYLINDER, lineColor());
+  Marker marker = makeMarker("wheel_lines", 2, Marker::CYLINDER, lineColor());
   const Eigen::Quaterniond turned(to_track.linear() *
                                   Eigen::AngleAxisd(0.5 * core::pi, Vector3d::UnitX()).toRotationMatrix());
   marker.pose.position = toPoint(to_track.translation());
@@ -140,31 +138,32 @@ Marker axle(const core::ContactModelConfig& model, const std_msgs::Header& heade
 }
 }  // namespace
 
-void addWheelset(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header,
-                 double x, const core::WheelsetPose& pose, MarkerArray& markers)
+void addWheelset(const core::ContactModelConfig& model, const TrackStyle& style, double x,
+                 const core::WheelsetPose& pose, MarkerArray& markers)
 {
   const Eigen::Isometry3d to_track = toTrack(pose, x);
   for (const core::Side side : style.sides)
   {
-    markers.markers.push_back(tread(model, style, header, side, to_track));
-    markers.markers.push_back(wheelProfile(model, style, header, side, to_track));
+    markers.markers.push_back(tread(model, style, side, to_track));
+    markers.markers.push_back(wheelProfile(model, style, side, to_track));
     if (!style.wheel_cut)
     {
-      markers.markers.push_back(circles(model, style, header, side, to_track));
+      markers.markers.push_back(circles(model, style, side, to_track));
     }
   }
   if (!style.wheel_cut)
   {
-    markers.markers.push_back(axle(model, header, to_track));
+    markers.markers.push_back(axle(model, to_track));
   }
 }
 
 MarkerArray profileMarkers(const NodeConfig& config)
 {
+  MarkerArray markers;
+  addRailsAtRest(config.model, TrackStyle(), {-0.5 * config.markers.rail_length, 0}, markers);
   std_msgs::Header header;
   header.frame_id = config.track_frame;
-  MarkerArray markers;
-  addRailsAtRest(config.model, TrackStyle(), header, {-0.5 * config.markers.rail_length, 0}, markers);
+  setHeader(header, markers);
   return markers;
 }
 }  // namespace wheel_rail_contact

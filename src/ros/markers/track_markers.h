@@ -34,19 +34,18 @@ struct DrawnPlace
 
 /// Rails as surfaces, centred at `place`: markers "rail". Sections that change along the line are drawn every 0.05 m.
 /// @param deflection of each rail by Side; side axes
-void addRails(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header,
-              const DrawnPlace& place, const core::Sides<core::RailDeflection>& deflection,
-              visualization_msgs::MarkerArray& markers);
+void addRails(const core::ContactModelConfig& model, const TrackStyle& style, const DrawnPlace& place,
+              const core::Sides<core::RailDeflection>& deflection, visualization_msgs::MarkerArray& markers);
 
 /// Section of the undeflected rails at `place`, as lines: markers "rail_at_rest".
-void addRailsAtRest(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header,
-                    const DrawnPlace& place, visualization_msgs::MarkerArray& markers);
+void addRailsAtRest(const core::ContactModelConfig& model, const TrackStyle& style, const DrawnPlace& place,
+                    visualization_msgs::MarkerArray& markers);
 
 /// Wheelset: the lower part of each wheel as a surface ("wheel"); its profile at the rear end of the surface, as a line
 /// ("wheel_profile"); two circles of each wheel as lines, and the axle as a thin cylinder ("wheel_lines"; none if cut).
 /// @param x position of the axle centre along the track [m]
-void addWheelset(const core::ContactModelConfig& model, const TrackStyle& style, const std_msgs::Header& header,
-                 double x, const core::WheelsetPose& pose, visualization_msgs::MarkerArray& markers);
+void addWheelset(const core::ContactModelConfig& model, const TrackStyle& style, double x,
+                 const core::WheelsetPose& pose, visualization_msgs::MarkerArray& markers);
 
 /// Markers that never change: both rails at rest as lines ("rail_at_rest"), at the beginning of the line.
 visualization_msgs::MarkerArray profileMarkers(const NodeConfig& config);
