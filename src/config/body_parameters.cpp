@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "config/profile_parameters.h"
-
 namespace wheel_rail_contact
 {
 namespace

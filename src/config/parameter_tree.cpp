@@ -12,39 +12,26 @@ namespace
 constexpr int max_depth = 16;       ///< of nested groups
 constexpr int max_entries = 10000;  ///< necessary because of aliases: a short file can have any number of entries
 
-/// Collects the parameters of nested groups in one tree.
-class Collector
+/// Adds the parameters of nested groups to a tree.
+/// @param entries  number of names so far, of groups and parameters
+void collect(const YAML::Node& group, const std::string& prefix, int depth, int& entries, ParameterTree& tree)
 {
- public:
-  void collect(const YAML::Node& group, const std::string& prefix, int depth)
+  core::refuseIf(depth > max_depth, "parameters: more than " + std::to_string(max_depth) + " nested groups");
+  for (const auto& entry : group)
   {
-    core::refuseIf(depth > max_depth, "parameters: more than " + std::to_string(max_depth) + " nested groups");
-    for (const auto& entry : group)
+    core::refuseIf(!entry.first.IsScalar(), "parameters: the group '" + prefix + "' has a key that is not a name");
+    core::refuseIf(++entries > max_entries, "parameters: more than " + std::to_string(max_entries) + " names");
+    const std::string name = prefix + entry.first.Scalar();
+    if (entry.second.IsMap())
     {
-      take(entry.first, entry.second, prefix, depth);
+      collect(entry.second, name + "/", depth + 1, entries, tree);
     }
-  }
-
-  ParameterTree tree;
-
- private:
-  void take(const YAML::Node& key, const YAML::Node& value, const std::string& prefix, int depth)
-  {
-    core::refuseIf(!key.IsScalar(), "parameters: the group '" + prefix + "' has a key that is not a name");
-    core::refuseIf(++entries_ > max_entries, "parameters: more than " + std::to_string(max_entries) + " names");
-    const std::string name = prefix + key.Scalar();
-    if (value.IsMap())
-    {
-      collect(value, name + "/", depth + 1);
-    }
-    else if (!tree.emplace(name, value).second)
+    else if (!tree.emplace(name, entry.second).second)
     {
       throw std::invalid_argument("parameter " + name + " is given twice");
     }
   }
-
-  int entries_ = 0;
-};
+}
 
 /// True if a group with parameters in the tree has this name.
 bool containsOne(const std::string& name, const ParameterTree& tree)
@@ -90,9 +77,10 @@ ParameterTree parameterTree(const YAML::Node& document)
     return {};
   }
   core::refuseIf(!document.IsMap(), "parameters: the document must be a map of names and values");
-  Collector collector;
-  collector.collect(document, "", 1);
-  return collector.tree;
+  ParameterTree tree;
+  int entries = 0;
+  collect(document, "", 1, entries, tree);
+  return tree;
 }
 
 ParameterTree readParameterFile(const std::string& file)

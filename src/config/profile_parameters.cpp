@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "config/profile_parameters.h"
+#include "config/body_parameters.h"
 
 #include <algorithm>
 

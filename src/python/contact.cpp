@@ -3,7 +3,6 @@
 #include <pybind11/stl.h>
 #include <ros/package.h>
 
-#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>

@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
+#include "config/body_parameters.h"
 #include "config/compliance_table_file.h"
 #include "config/model_files.h"
-#include "config/profile_parameters.h"
 #include "config/text.h"
 #include "core/option_check.h"
 #include "core/profile/curve/measures.h"

@@ -199,8 +199,7 @@ void bindTiming(py::module& module)
   module.attr("BUILD") = py::dict(py::arg("version") = CHART_VERSION, py::arg("compiler") = CHART_COMPILER,
                                   py::arg("build") = CHART_BUILD_TYPE);
   bindRuns(module);
-  bindTimedGaps(module);
-  bindTimedCreep(module);
+  bindTimedSolvers(module);
   bindTimedWheelsets(module);
 }
 }  // namespace wheel_rail_contact

@@ -64,8 +64,6 @@ class TimedRun
   double time(const std::vector<std::size_t>& states, bool cold);
 };
 
-/// Adds runs on the gaps of a normal problem. TimedRun is added before.
-void bindTimedGaps(pybind11::module& module);
-/// Adds runs of creep methods. TimedRun is added before.
-void bindTimedCreep(pybind11::module& module);
+/// Adds runs of normal methods on gaps, and of creep methods. TimedRun is added before.
+void bindTimedSolvers(pybind11::module& module);
 }  // namespace wheel_rail_contact

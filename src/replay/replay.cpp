@@ -10,8 +10,6 @@
 #include <ostream>
 
 #include "core/option_check.h"
-#include "replay/result_connection.h"
-#include "replay/warm_up.h"
 
 namespace wheel_rail_contact
 {
@@ -88,6 +86,68 @@ void Progress::print(std::uint64_t read, std::uint64_t results) const
       terminal_ ? "\r[" + std::string(filled, '#') + std::string(bar_width - filled, '.') + "] " : std::string();
   std::fprintf(stderr, "%s%5.1f %%  %llu results, %.0f/s, %.0f s left %s", bar.c_str(), 100 * share,
                static_cast<unsigned long long>(results), rate, std::ceil(left), terminal_ ? "  " : "\n");
+}
+
+/// First warm-up [ns]. It suffices if stamps are recording times: any two seconds contain a whole second of the stamps,
+/// and results of neighbours are used for one second.
+constexpr std::uint64_t shortest_lead = 3'000'000'000;
+constexpr std::uint64_t lead_growth = 4;
+
+bool isTransform(const std::string& topic)
+{
+  return topic == "/tf" || topic == "/tf_static" || topic == "tf" || topic == "tf_static";
+}
+
+bool holdsTransforms(const BagContents& contents)
+{
+  return std::any_of(contents.messages.begin(), contents.messages.end(),
+                     [&contents](const auto& entry)
+                     { return entry.second > 0 && isTransform(contents.connections.at(entry.first).topic); });
+}
+
+std::uint64_t startOf(const BagContents& contents)
+{
+  std::uint64_t start = std::numeric_limits<std::uint64_t>::max();
+  for (const BagChunk& chunk : contents.chunks)
+  {
+    start = std::min(start, chunk.start);
+  }
+  return start;
+}
+
+/// Recording time [ns] at which reading must begin. The results in `options.span` are then those of a replay of the
+/// whole bag: ReplaySource::isWarmedUp() is true at the beginning of the span.
+///
+/// Returns 0, the beginning of the bag, where a part of the bag is not sufficient to verify this:
+/// - with transforms, because their buffer depends on all earlier messages;
+/// - with a slop, because an earlier message may change which messages are matched;
+/// - without an index.
+/// @throw BagError if the bag cannot be read.
+std::uint64_t warmUpStart(const ReplayOptions& options, const NodeConfig& config)
+{
+  const std::uint64_t from = options.span.from;
+  if (from == 0 || config.slop > 0)
+  {
+    return 0;
+  }
+  const BagContents contents = readContents(BagFile(options.input), [](const std::string&) { return true; });
+  if (!contents.fault.empty() || holdsTransforms(contents))
+  {
+    return 0;
+  }
+  const std::uint64_t start = startOf(contents);
+  for (std::uint64_t lead = shortest_lead; lead < from && from - lead > start; lead *= lead_growth)
+  {
+    ReplaySource before(options.input, config, options.inputs, false, {from - lead, from}, from - lead);
+    while (before.next())
+    {
+    }
+    if (before.isWarmedUp())
+    {
+      return from - lead;
+    }
+  }
+  return 0;
 }
 
 /// Checks the output files before the input is opened, because a bag without index is read completely. Clears `resume`

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/stress/point_forces.h"
+#include "core/stress/point_sources.h"
 
 namespace wheel_rail_contact::core
 {

@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 
 #include "core/constants.h"

@@ -2,7 +2,6 @@
 #include "core/text/text_table.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include "core/text/words.h"
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/normal/measures/peak_pressure.h"
+#include "core/normal/measures/pressure_measures.h"
 
 #include "core/constants.h"
-#include "core/normal/measures/discontinuity_bias.h"
 #include "core/normal/measures/gap_steps.h"
 #include "error_samples.h"
 

@@ -5,7 +5,6 @@
 
 #include "../../seeded.h"
 #include "core/normal/operator/influence.h"
-#include "core/stress/point_forces.h"
 #include "core/stress/point_sources.h"
 #include "core/stress/stress_search.h"
 #include "pressures.h"

@@ -4,7 +4,7 @@
 #include "core/constants.h"
 #include "core/normal/measures/cells_around.h"
 #include "core/normal/measures/gap_steps.h"
-#include "core/normal/measures/peak_pressure.h"
+#include "core/normal/measures/pressure_measures.h"
 
 namespace wheel_rail_contact::core
 {

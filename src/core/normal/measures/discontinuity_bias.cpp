@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/normal/measures/discontinuity_bias.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "core/normal/measures/gap_steps.h"
+#include "core/normal/measures/pressure_measures.h"
 
 namespace wheel_rail_contact::core
 {

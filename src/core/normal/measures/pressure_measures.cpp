@@ -5,8 +5,6 @@
 #include <cmath>
 
 #include "core/constants.h"
-#include "core/normal/measures/discontinuity_bias.h"
-#include "core/normal/measures/peak_pressure.h"
 
 namespace wheel_rail_contact::core
 {

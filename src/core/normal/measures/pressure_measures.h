@@ -1,11 +1,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "core/normal/measures/cells_around.h"
 #include "core/normal/measures/contact_edge.h"
 #include "wheel_rail_contact/core/normal_problem.h"
 
 namespace wheel_rail_contact::core
 {
+/// Peak pressure, between the cells if necessary [Pa]. If a neighbouring cell across the track is not loaded, it is the
+/// pressure of the peak cell. The pressure must solve `gap` on its grid, with E* = `modulus` [Pa].
+///
+/// The value is the maximum of the parabolas through the squared pressures of the peak cell and its neighbours, minus
+/// its known bias (doc/theory.md, "Maximum pressure"). No bias is subtracted if the curvature of the gap jumps up and
+/// down there (areWaves()), or if the border of the grid cuts the pressure along the track.
+double peakPressure(const PatchGap& gap, double modulus, const CellsAround& peak);
+
+/// Contact patch and the polygon through its edge.
+struct EdgeOf
+{
+  const EdgePolygon& polygon;  ///< after its cells()
+  const PatchGap& gap;
+  double modulus;       ///< [Pa]
+  double max_pressure;  ///< [Pa]
+};
+
+/// Sums over all crossings [cells]. Of a mirrored pressure: those of the stored half.
+struct DiscontinuitySums
+{
+  double bias = 0;   ///< of the bias
+  double sizes = 0;  ///< of the absolute values of the bias
+};
+
+/// Bias correction of the area near curvature discontinuities, in addition to EdgeBias.
+DiscontinuitySums sumAtDiscontinuities(const EdgeOf& edge);
+
 /// Computes force, maximum pressure, area and border contact from a pressure. Keeps scratch memory: shapes that
 /// occurred before allocate nothing.
 class PressureMeasures
@@ -19,7 +47,7 @@ class PressureMeasures
   /// at a cell centre.
   ///
   /// area: the area of the polygon through the crossings of the contact edge with the lines of cell centres, minus its
-  /// known bias (contact_edge.h) and the bias at curvature discontinuities of the gap (discontinuity_bias.h).
+  /// known bias (contact_edge.h) and the bias at curvature discontinuities of the gap (sumAtDiscontinuities()).
   void measure(const PatchGap& gap, double modulus, PatchPressure& patch);
   /// Fills axis_ratio only.
   void measureRatio(PatchPressure& patch);

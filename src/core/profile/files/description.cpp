@@ -2,7 +2,6 @@
 #include <cmath>
 #include <filesystem>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <variant>

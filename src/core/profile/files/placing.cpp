@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "core/profile/curve/measures.h"
 #include "core/profile/files/steps.h"
