@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/evaluation/conversions.h"
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
-#include <limits>
+
+#include "../result_numbers.h"
+#include "../usual_headers.h"
 
 using namespace wheel_rail_contact;
 
@@ -79,56 +79,12 @@ core::WheelsetResult exampleResult()
   return result;
 }
 
-void expectEqual(const core::RailDeflection& a, const core::RailDeflection& b)
+/// Numbers of a result, with their names.
+std::vector<std::pair<std::string, double>> numbersOf(const core::WheelsetResult& result)
 {
-  EXPECT_EQ(a.lateral, b.lateral);
-  EXPECT_EQ(a.vertical, b.vertical);
-  EXPECT_EQ(a.roll, b.roll);
-}
-
-void expectEqual(const core::PatchResult& a, const core::PatchResult& b)
-{
-  using Patch = core::PatchResult;
-  EXPECT_EQ(a.side, b.side);
-  EXPECT_EQ(a.method, b.method);
-  EXPECT_NEAR(a.pose.x, b.pose.x, 1e-14);
-  EXPECT_EQ(a.pose.y, b.pose.y);
-  EXPECT_EQ(a.pose.z, b.pose.z);
-  EXPECT_NEAR(a.pose.angle, b.pose.angle, 1e-15);
-  EXPECT_NEAR(a.pose.pitch, b.pose.pitch, 1e-15);
-  EXPECT_EQ(a.iterations, b.iterations);
-  for (const auto number :
-       {&Patch::contact_angle,    &Patch::normal_force,   &Patch::approach,        &Patch::area,
-        &Patch::max_pressure,     &Patch::error_estimate, &Patch::residual,        &Patch::half_space_ratio,
-        &Patch::model_error,      &Patch::vertical_force, &Patch::lateral_force,   &Patch::semi_axis_along,
-        &Patch::semi_axis_across, &Patch::rolling_radius, &Patch::wheel_s,         &Patch::wheel_angle,
-        &Patch::rail_s,           &Patch::slope_along,    &Patch::curvature_along, &Patch::curvature_across,
-        &Patch::normal_stiffness})
-  {
-    EXPECT_EQ(a.*number, b.*number);
-  }
-  EXPECT_EQ(a.grid.nx, b.grid.nx);
-  EXPECT_EQ(a.grid.ny, b.grid.ny);
-  EXPECT_EQ(a.grid.dx, b.grid.dx);
-  EXPECT_EQ(a.grid.dy, b.grid.dy);
-  EXPECT_EQ(a.grid.y0, b.grid.y0);
-  EXPECT_EQ(a.wheel_stress.von_mises.value, b.wheel_stress.von_mises.value);
-  EXPECT_EQ(a.wheel_stress.von_mises.y, b.wheel_stress.von_mises.y);
-  EXPECT_EQ(a.wheel_stress.load_factor, b.wheel_stress.load_factor);
-  EXPECT_EQ(a.rail_stress.shear.x, b.rail_stress.shear.x);
-  EXPECT_EQ(a.rail_stress.shear.depth, b.rail_stress.shear.depth);
-  EXPECT_EQ(a.rail_stress.shakedown_limit, b.rail_stress.shakedown_limit);
-  ASSERT_EQ(a.rail_stress.field.size(), b.rail_stress.field.size());
-  for (std::size_t k = 0; k < a.rail_stress.field.size(); ++k)
-  {
-    EXPECT_EQ(a.rail_stress.field[k].depth, b.rail_stress.field[k].depth);
-    for (std::size_t c = 0; c < 6; ++c)
-    {
-      EXPECT_TRUE(a.rail_stress.field[k].components[c].isApprox(b.rail_stress.field[k].components[c],
-                                                                std::numeric_limits<float>::epsilon()));
-    }
-  }
-  EXPECT_TRUE(a.pressure.isApprox(b.pressure, std::numeric_limits<float>::epsilon()));
+  std::vector<std::pair<std::string, double>> numbers;
+  visitNumbers(result, [&](const char* name, double value) { numbers.emplace_back(name, value); });
+  return numbers;
 }
 }  // namespace
 
@@ -136,28 +92,22 @@ TEST(Conversions, ConversionToAMessageAndBackPreservesTheResult)
 {
   const core::WheelsetResult before = exampleResult();
   const core::WheelsetResult after = fromMessage(toMessage(before, 12.5, true));
-  EXPECT_EQ(after.status, before.status);
   EXPECT_EQ(after.reason, before.reason);
-  EXPECT_EQ(after.y, before.y);
-  EXPECT_EQ(after.z, before.z);
-  EXPECT_NEAR(after.yaw, before.yaw, 1e-15);
-  EXPECT_NEAR(after.roll, before.roll, 1e-15);
-  for (const core::Side side : core::sides)
-  {
-    expectEqual(after.rail[side].deflection, before.rail[side].deflection);
-    expectEqual(after.rail[side].given, before.rail[side].given);
-    EXPECT_EQ(after.rail[side].lateral_force, before.rail[side].lateral_force);
-    EXPECT_EQ(after.rail[side].vertical_force, before.rail[side].vertical_force);
-    EXPECT_EQ(after.rail[side].moment, before.rail[side].moment);
-    EXPECT_EQ(after.wheel[side].vertical, before.wheel[side].vertical);
-    EXPECT_EQ(after.wheel[side].lateral, before.wheel[side].lateral);
-  }
-  EXPECT_EQ(after.rail_wrench.force, before.rail_wrench.force);
-  EXPECT_EQ(after.rail_wrench.moment, before.rail_wrench.moment);
-  EXPECT_EQ(after.implausible_force, before.implausible_force);
   ASSERT_EQ(after.patches.size(), 2U);
-  expectEqual(after.patches[0], before.patches[0]);
-  expectEqual(after.patches[1], before.patches[1]);
+  EXPECT_EQ(after.patches[1].method, before.patches[1].method);
+  EXPECT_EQ(after.patches[1].pressure.rows(), before.patches[1].pressure.rows());
+  const auto found = numbersOf(after), expected = numbersOf(before);
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t k = 0; k < expected.size(); ++k)
+  {
+    const auto& [name, value] = expected[k];
+    const bool is_float = name == "pressure" || name == "stress";
+    const double rounding = is_float         ? std::numeric_limits<float>::epsilon() * std::abs(value)
+                            : name == "pose" ? 1e-14
+                                             : 0;
+    EXPECT_EQ(found[k].first, name);
+    EXPECT_NEAR(found[k].second, value, rounding) << name;
+  }
 }
 
 TEST(Conversions, PlaceIsAddedToEveryPoseAndTheGridCanBeLeftOut)

@@ -5,11 +5,8 @@
 //   record_states print SEED     all numbers of the results of one scene, to find the first that differs
 // The scenes are random scenes of test/stability, varied by unequal sides, moments, stress, irregularities and
 // sections.
-#include <cstring>
-#include <type_traits>
-
+#include "../result_numbers.h"
 #include "../stability/random_scene.h"
-#include "config/result_fields.h"
 
 namespace
 {
@@ -20,114 +17,21 @@ using namespace wheel_rail_contact;
 
 constexpr unsigned long scene_count = 72;  ///< of thirty states each
 
-using Number = std::function<void(const char* name, double value)>;
-
-/// Visits the numbers among the fields of an object.
-template <typename Object>
-auto fieldsOf(const Object& object, const Number& number)
-{
-  return [&](const ResultField& field, const auto& member, const auto&)
-  {
-    if constexpr (std::is_arithmetic_v<std::decay_t<decltype(member(object))>>)
-    {
-      number(field.name, static_cast<double>(member(object)));
-    }
-  };
-}
-
-void visit(const Eigen::ArrayXXd& array, const char* name, const Number& number)
-{
-  for (Eigen::Index i = 0; i < array.size(); ++i)
-  {
-    number(name, array(i));
-  }
-}
-
-void visit(const PatchStress& stress, const Number& number)
-{
-  visitPeak(fieldsOf(stress.von_mises, number));
-  visitPeak(fieldsOf(stress.shear, number));
-  visitStress(fieldsOf(stress, number));
-  for (const StressLayer& layer : stress.field)
-  {
-    number("layer", layer.depth);
-    for (const Eigen::ArrayXXd& component : layer.components)
-    {
-      visit(component, "stress", number);
-    }
-  }
-}
-
-void visit(const PatchResult& patch, const Number& number)
-{
-  number("side", static_cast<double>(patch.side));
-  for (const double coordinate : {patch.pose.x, patch.pose.y, patch.pose.z, patch.pose.angle})
-  {
-    number("pose: x, y, z, angle", coordinate);
-  }
-  visitPatch(fieldsOf(patch, number));
-  visitCreep(fieldsOf(patch.creep, number));
-  visit(patch.wheel_stress, number);
-  visit(patch.rail_stress, number);
-  visitGrid(fieldsOf(patch.grid, number));
-  visit(patch.pressure, "pressure", number);
-}
-
-void visit(const WheelsetResult& result, const Number& number)
-{
-  number("status", static_cast<double>(result.status));
-  for (const bool flag : {result.above_tolerance, result.points_missing, result.implausible_force})
-  {
-    number("above_tolerance, points_missing, implausible_force", flag ? 1 : 0);
-  }
-  for (const double coordinate : {result.y, result.z, result.yaw, result.roll})
-  {
-    number("y, z, yaw, roll", coordinate);
-  }
-  visit(result.rail_wrench.force, "wrench: force", number);
-  visit(result.rail_wrench.moment, "wrench: moment", number);
-  for (const Side side : sides)
-  {
-    visitRail(fieldsOf(result.rail[side], number));
-    visitWheel(fieldsOf(result.wheel[side], number));
-  }
-  for (const PatchResult& patch : result.patches)
-  {
-    visit(patch, number);
-  }
-}
-
 /// All numbers of a result, and the stiffness of both contacts if `with_stiffness`.
-void visitAll(WheelsetContact& contact, const WheelsetState& state, bool with_stiffness, const Number& number)
+/// @return its status
+ContactStatus visitAll(WheelsetContact& contact, const WheelsetState& state, bool with_stiffness, const Number& number)
 {
-  visit(contact.evaluate(state), number);
+  const WheelsetResult& result = contact.evaluate(state);
+  visitNumbers(result, number);
   for (const Side side : sides)
   {
     if (with_stiffness)
     {
-      visit(contact.stiffness(side), "stiffness", number);
+      visitNumbers(contact.stiffness(side), "stiffness", number);
     }
   }
+  return result.status;
 }
-
-/// FNV-1a (Fowler, Noll, Vo 1991) of the bits of numbers.
-class Digest
-{
- public:
-  void add(double number)
-  {
-    unsigned char bytes[sizeof number];
-    std::memcpy(bytes, &number, sizeof number);
-    for (const unsigned char byte : bytes)
-    {
-      value_ = (value_ ^ byte) * 1099511628211U;
-    }
-  }
-  std::uint64_t value() const { return value_; }
-
- private:
-  std::uint64_t value_ = 14695981039346656037U;
-};
 
 /// An irregularity of each kind, over the distances of `spread`.
 std::shared_ptr<const TrackLine> line()
@@ -215,17 +119,13 @@ std::vector<std::string> record()
     WheelsetContact contact(scene.config);
     for (std::size_t i = 0; i < scene.states.size(); ++i)
     {
-      Digest digest;
-      double status = 0;
-      visitAll(contact, scene.states[i], i % 5 == 0,
-               [&](const char* name, double value)
-               {
-                 digest.add(value);
-                 status = std::strcmp(name, "status") == 0 ? value : status;
-               });
+      std::string bits;
+      const ContactStatus status = visitAll(contact, scene.states[i], i % 5 == 0,
+                                            [&](const char*, double value)
+                                            { bits.append(reinterpret_cast<const char*>(&value), sizeof value); });
       char line[80];
-      std::snprintf(line, sizeof line, "%lu %zu status %g digest %016llx", seed, i, status,
-                    static_cast<unsigned long long>(digest.value()));
+      std::snprintf(line, sizeof line, "%lu %zu status %d digest %016zx", seed, i, static_cast<int>(status),
+                    std::hash<std::string>{}(bits));
       lines.emplace_back(line);
     }
   }
