@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <chrono>
-#include <string>
-
 #include "../manchester_scene.h"
 #include "../thread_time.h"
 #include "core/balance/rail_support.h"
@@ -21,15 +18,6 @@ void registerLines();
 void registerSteps();
 /// contact_replay from bag to bag, compared with the evaluations alone.
 void registerReplay();
-
-/// Time taken by `work` [s].
-template <typename Work>
-double seconds(Work work)
-{
-  const auto begin = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
 
 inline std::string nameOf(const core::GridSize& size)
 {
@@ -65,8 +53,9 @@ struct OneWheel
 
   OneWheel() { wheel.setRail(rail); }
 
-  /// Solves the wheel with the wheelset in the centre of the track, under 100 kN. Its gap has the height of the result.
-  void solveOn(const core::GridSize& size)
+  /// A wheel that is solved with the wheelset in the centre of the track, under 100 kN. Its gap has the height of the
+  /// result.
+  explicit OneWheel(const core::GridSize& size) : OneWheel()
   {
     constexpr int passes = 4;
     wheel.setGrid(0, size);

@@ -28,8 +28,7 @@ void search(benchmark::State& state)
 /// The gap of one grid.
 void gap(benchmark::State& state, const core::GridSize& size)
 {
-  OneWheel one;
-  one.solveOn(size);
+  OneWheel one(size);
   const core::PlacedWheel placed(*one.config.wheel_profile.left, one.config.wheelset, core::Side::left, one.pose);
   const core::SurfaceOrigin origin = one.wheel.grids().originOf(0);
   const core::Grid grid = one.wheel.problem().patches[0].grid;
@@ -44,8 +43,7 @@ void gap(benchmark::State& state, const core::GridSize& size)
 /// All that precedes the normal solution: search, overlap, grids and gaps.
 void problem(benchmark::State& state, const core::GridSize& size)
 {
-  OneWheel one;
-  one.solveOn(size);
+  OneWheel one(size);
   core::OverlapGrids grids(one.config, core::Side::left, one.rail);
   grids.setRail(one.rail);
   core::CurvedProblem built;
@@ -59,8 +57,7 @@ void problem(benchmark::State& state, const core::GridSize& size)
 
 void normal(benchmark::State& state, const core::GridSize& size)
 {
-  OneWheel one;
-  one.solveOn(size);
+  OneWheel one(size);
   const core::CurvedProblem problem = one.wheel.problem();
   core::NormalSolution solution;
   for (auto _ : state)
@@ -74,8 +71,7 @@ void normal(benchmark::State& state, const core::GridSize& size)
 /// Islands of the contact and their error estimates.
 void estimate(benchmark::State& state, const core::GridSize& size)
 {
-  OneWheel one;
-  one.solveOn(size);
+  OneWheel one(size);
   core::Islands islands;
   std::vector<core::ErrorEstimate> errors;
   for (auto _ : state)
@@ -89,8 +85,7 @@ void estimate(benchmark::State& state, const core::GridSize& size)
 /// Stiffness of the contact: slopes for the balance of the wheelset and for bending rails.
 void stiffness(benchmark::State& state, const core::GridSize& size)
 {
-  OneWheel one;
-  one.solveOn(size);
+  OneWheel one(size);
   for (auto _ : state)
   {
     benchmark::DoNotOptimize(one.wheel.stiffness()(core::wheel_up, core::wheel_up));
@@ -115,8 +110,7 @@ struct Pressed
 template <core::CreepMethod method>
 void creep(benchmark::State& state, const core::GridSize& size)
 {
-  OneWheel one;
-  one.solveOn(size);
+  OneWheel one(size);
   const Pressed pressed(one.wheel.solution().patches[0]);
   core::CreepProblem problem;
   problem.creepage = {1e-3, 5e-4, 0.1};
@@ -161,8 +155,7 @@ void friction(benchmark::State& state, const core::GridSize& size)
 /// Search for the highest stresses beneath a patch.
 void stress(benchmark::State& state, const core::GridSize& size)
 {
-  OneWheel one;
-  one.solveOn(size);
+  OneWheel one(size);
   const Pressed pressed(one.wheel.solution().patches[0]);
   core::StressSearch search;
   for (auto _ : state)
@@ -175,8 +168,7 @@ void stress(benchmark::State& state, const core::GridSize& size)
 /// Stress in 16 layers.
 void stressField(benchmark::State& state, const core::GridSize& size)
 {
-  OneWheel one;
-  one.solveOn(size);
+  OneWheel one(size);
   const Pressed pressed(one.wheel.solution().patches[0]);
   std::vector<double> depths;
   for (int k = 0; k < 16; ++k)

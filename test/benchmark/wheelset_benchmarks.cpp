@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <benchmark/benchmark.h>
 
-#include <string>
-
 #include "benchmarks.h"
 
 namespace wheel_rail_contact

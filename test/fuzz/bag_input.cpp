@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Bags: all readable messages are delivered, or a BagError is thrown.
-#include <cstdlib>
-
 #include "../temporary_folder.h"
 #include "bag/bag_stream.h"
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Parameter files and compliance tables: each is read, or rejected with std::invalid_argument.
-#include <stdexcept>
-
 #include "../temporary_folder.h"
 #include "config/compliance_table_file.h"
 #include "config/node_config.h"

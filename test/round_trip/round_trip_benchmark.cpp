@@ -2,19 +2,15 @@
 // Time from a state to its result in a lockstep loop with a running contact node: by the topics, and by a persistent
 // connection to the service ~evaluate. Both take turns, with the same states.
 //   round_trip_benchmark [STEPS [NODE]]     default: 5000 steps, /contact_node
-#include <ros/callback_queue.h>
-#include <ros/ros.h>
-
-#include "../standard_headers.h"
-
 #include <wheel_rail_contact/EvaluateWheelset.h>
-#include <wheel_rail_contact/WheelsetContact.h>
+
+#include "../ros/live/contact_client.h"
+#include "../standard_headers.h"
 
 namespace
 {
 using namespace wheel_rail_contact;
 
-constexpr double timeout = 10;        ///< for a connection or a result [s]
 constexpr double rate = 1000;         ///< of the stamps [Hz]
 constexpr int unmeasured = 200;       ///< first steps, in which buffers grow
 constexpr double amplitude = 2e-3;    ///< of the lateral motion [m]
@@ -24,13 +20,10 @@ constexpr double milliseconds = 1e3;  ///< in a second
 
 EvaluateWheelset::Request stateAt(int step)
 {
+  const ros::Time stamp = ros::Time(1) + ros::Duration(step / rate);
   EvaluateWheelset::Request state;
-  state.pose.header.stamp = ros::Time(1) + ros::Duration(step / rate);
-  state.pose.header.frame_id = "track";
-  state.pose.pose.position.y = amplitude * std::sin(2 * M_PI * frequency * step / rate);
-  state.pose.pose.orientation.w = 1;
-  state.load.header.stamp = state.pose.header.stamp;
-  state.load.wrench.force.z = -load_force;
+  state.pose = ContactClient::pose(amplitude * std::sin(2 * M_PI * frequency * step / rate), stamp);
+  state.load = ContactClient::load(-load_force, stamp);
   return state;
 }
 
@@ -52,63 +45,21 @@ double evaluationTime(const WheelsetContact& result, const EvaluateWheelset::Req
   return result.solve_time;
 }
 
-/// Client of the topics of a node.
-class TopicClient
+/// Client of the topics and of the service of a node. Each request sends a state, waits for its result, and returns
+/// evaluationTime().
+class BothWays
 {
  public:
-  explicit TopicClient(const std::string& node)
-      : pose_(nh_.advertise<geometry_msgs::PoseStamped>("wheelset/pose", 10)),
-        load_(nh_.advertise<geometry_msgs::WrenchStamped>("wheelset/load", 10)),
-        contact_(nh_.subscribe<WheelsetContact>(
-            node + "/contact", 10, [this](const WheelsetContact::ConstPtr& result) { result_ = result; },
-            ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()))
-  {
-    waitUntil([this] { return pose_.getNumSubscribers() && load_.getNumSubscribers() && contact_.getNumPublishers(); });
-    ros::WallDuration(0.5).sleep();  // the node completes the connection a moment later
-  }
-
-  /// Sends a state and waits for its result. @return evaluationTime()
-  double request(const EvaluateWheelset::Request& state)
-  {
-    result_.reset();
-    pose_.publish(state.pose);
-    load_.publish(state.load);
-    waitUntil([this] { return result_ != nullptr; });
-    return evaluationTime(*result_, state);
-  }
-
- private:
-  template <typename Condition>
-  static void waitUntil(const Condition& done)
-  {
-    const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(timeout);
-    while (!done())
-    {
-      ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
-      if (!ros::ok() || ros::WallTime::now() > end)
-      {
-        throw std::runtime_error("no connection to the topics of the node, or no result");
-      }
-    }
-  }
-
-  ros::NodeHandle nh_;
-  ros::Publisher pose_, load_;
-  ros::Subscriber contact_;
-  WheelsetContact::ConstPtr result_;
-};
-
-/// Client of the service of a node.
-class ServiceClient
-{
- public:
-  explicit ServiceClient(const std::string& node)
-      : evaluate_(ros::NodeHandle().serviceClient<EvaluateWheelset>(node + "/evaluate", true))
+  explicit BothWays(const std::string& node)
+      : topics_("/", node), evaluate_(ros::NodeHandle().serviceClient<EvaluateWheelset>(node + "/evaluate", true))
   {
   }
-
-  /// Sends a state and waits for its result. @return evaluationTime()
-  double request(const EvaluateWheelset::Request& state)
+  double byTopics(const EvaluateWheelset::Request& state)
+  {
+    const std::optional<WheelsetContact> result = topics_.request(state.pose, state.load);
+    return result ? evaluationTime(*result, state) : throw std::runtime_error("no result from the topics of the node");
+  }
+  double byService(const EvaluateWheelset::Request& state)
   {
     EvaluateWheelset call;
     call.request = state;
@@ -120,6 +71,7 @@ class ServiceClient
   }
 
  private:
+  ContactClient topics_;
   ros::ServiceClient evaluate_;
 };
 
@@ -130,11 +82,11 @@ struct Times
   std::vector<double> evaluation;  ///< in the node
 };
 
-template <typename Client>
-void measure(Client& client, const EvaluateWheelset::Request& state, Times& times)
+template <typename Request>
+void measure(const Request& request, Times& times)
 {
   const ros::WallTime start = ros::WallTime::now();
-  times.evaluation.push_back(client.request(state));
+  times.evaluation.push_back(request());
   times.round_trip.push_back((ros::WallTime::now() - start).toSec());
 }
 
@@ -155,8 +107,7 @@ void print(const char* name, const Times& times)
 
 void run(int steps, const std::string& node)
 {
-  TopicClient topics(node);
-  ServiceClient service(node);
+  BothWays client(node);
   Times by_topic, by_service;
   for (int step = 0; step < unmeasured + steps; ++step)
   {
@@ -165,8 +116,8 @@ void run(int steps, const std::string& node)
       by_topic = by_service = Times();
     }
     const EvaluateWheelset::Request state = stateAt(step);
-    measure(topics, state, by_topic);
-    measure(service, state, by_service);
+    measure([&] { return client.byTopics(state); }, by_topic);
+    measure([&] { return client.byService(state); }, by_service);
   }
   print("topics", by_topic);
   print("service", by_service);
