@@ -23,94 +23,41 @@ struct ReferenceWheel
 /// um).
 struct ReferenceState
 {
-  const char* scene;
+  std::string scene;
   double load;           ///< vertical load of each wheel [N]
   double rails_outward;  ///< outward displacement of both rails [m]
   double y, yaw, roll;   ///< pose of the wheelset [m, rad]
   double height;         ///< height of the axle centre [m]
+  Sides<ReferenceWheel> wheel;
 };
 
-constexpr std::array<ReferenceState, 25> reference_states{{
-    {"100 kN no yaw", 100000, 0, 0, 0, 0, 0.4597427},
-    {"100 kN no yaw", 100000, 0, -0.001, 0, -5.064581e-05, 0.4597485},
-    {"100 kN no yaw", 100000, 0, -0.002, 0, -0.000105315, 0.4597679},
-    {"100 kN no yaw", 100000, 0, -0.003, 0, -0.0001720117, 0.4598028},
-    {"100 kN no yaw", 100000, 0, -0.004, 0, -0.0002512944, 0.4598501},
-    {"100 kN no yaw", 100000, 0, -0.005, 0, -0.0003655452, 0.4599256},
-    {"100 kN no yaw", 100000, 0, -0.006, 0, -0.0006140424, 0.460104},
-    {"100 kN no yaw", 100000, 0, -0.007, 0, -0.005795621, 0.4640389},
-    {"100 kN no yaw", 100000, 0, -0.008, 0, -0.008369437, 0.4659933},
-    {"100 kN no yaw", 100000, 0, -0.009, 0, -0.009974689, 0.4672081},
-    {"100 kN no yaw", 100000, 0, -0.01, 0, -0.01119864, 0.4681301},
-    {"10 kN yaw", 10000, 0, 0, 0, 0, 0.4598019},
-    {"10 kN yaw", 10000, 0, -0.001, -0.0024, -5.027178e-05, 0.4598159},
-    {"10 kN yaw", 10000, 0, -0.002, -0.0048, -0.000112547, 0.4598469},
-    {"10 kN yaw", 10000, 0, -0.003, -0.0072, -0.000180123, 0.4598854},
-    {"10 kN yaw", 10000, 0, -0.004, -0.0096, -0.0002556092, 0.459932},
-    {"10 kN yaw", 10000, 0, -0.005, -0.012, -0.0003547424, 0.4599977},
-    {"10 kN yaw", 10000, 0, -0.006, -0.0144, -0.0006254337, 0.4601944},
-    {"10 kN yaw", 10000, 0, -0.007, -0.0168, -0.006359198, 0.4645546},
-    {"10 kN yaw", 10000, 0, -0.008, -0.0192, -0.008590869, 0.4662491},
-    {"10 kN yaw", 10000, 0, -0.009, -0.0216, -0.01009112, 0.4673837},
-    {"10 kN yaw", 10000, 0, -0.01, -0.024, -0.01125694, 0.4682607},
-    {"100 kN rails bent outward", 100000, 0.0002435, 0, 0, 0, 0.4597341},
-    {"100 kN rails bent outward", 100000, 0.0002435, -0.002, 0, -9.7019e-05, 0.4597576},
-    {"100 kN rails bent outward", 100000, 0.0002435, -0.004, 0, -0.0002347109, 0.4598347},
-}};
-
-/// Left and right wheel of each state.
-constexpr std::array<ReferenceWheel, 50> reference_wheels{{
-    {3514.272, 9.821051e+08, 0.00019198, 7.516189e-05, 0.03512826, false},
-    {3514.272, 9.821051e+08, 0.00019198, 7.516189e-05, 0.03512826, false},
-    {2226.227, 8.994592e+08, 0.00018409, 8.715785e-05, 0.0222586, false},
-    {5498.854, 1.304572e+09, 0.00017802, 9.198584e-05, 0.05493322, false},
-    {1597.361, 1.001503e+09, 0.00015704, 9.413082e-05, 0.01597225, false},
-    {7513.25, 1.497742e+09, 0.00013949, 0.0001096318, 0.0749916, false},
-    {1283.858, 1.073947e+09, 0.00014405, 9.795235e-05, 0.01283788, false},
-    {9237.165, 1.533201e+09, 0.00010704, 0.000114389, 0.09211027, false},
-    {1104.002, 1.134966e+09, 0.00013548, 0.0001007809, 0.01103957, false},
-    {11158.41, 1.442309e+09, 0.00010781, 0.0001119741, 0.1111244, false},
-    {1000.556, 1.18969e+09, 0.00012869, 0.0001030996, 0.01000523, false},
-    {21098.27, 2.760847e+09, 0.00012747, 0.0001040854, 0.2079332, true},
-    {941.2577, 1.243194e+09, 0.00012297, 0.0001051993, 0.009412299, false},
-    {47129.95, 2.665462e+09, 6.745e-05, 0.0001395489, 0.4404247, true},
-    {702.3059, 1.419699e+09, 0.0001071, 0.0001112093, 0.007022943, false},
-    {191587.8, 6.334586e+09, 5.185e-05, 0.0002158578, 1.08974, false},
-    {800.0026, 1.501207e+09, 0.00010103, 0.000113618, 0.007999856, false},
-    {143285.8, 6.154951e+09, 4.344e-05, 0.0001980809, 0.9614771, false},
-    {960.1504, 1.5534e+09, 9.757e-05, 0.0001150535, 0.009601209, false},
-    {119629.4, 6.062518e+09, 3.961e-05, 0.0001890847, 0.8745365, false},
-    {1144.458, 1.593255e+09, 9.509e-05, 0.000116108, 0.01144408, false},
-    {103700.2, 5.998706e+09, 3.703e-05, 0.0001830082, 0.803561, false},
-    {290.0203, 3.384267e+08, 5.11e-05, 1.596379e-05, 0.0289939, false},
-    {290.0203, 3.384267e+08, 5.11e-05, 1.596379e-05, 0.0289939, false},
-    {176.4916, 4.232726e+08, 3.613e-05, 1.939463e-05, 0.01764732, false},
-    {696.5907, 7.454874e+08, 2.448e-05, 2.480645e-05, 0.06954672, false},
-    {134.4371, 4.653843e+08, 3.277e-05, 2.048609e-05, 0.0134429, false},
-    {807.7803, 7.507525e+08, 2.031e-05, 2.519472e-05, 0.08060302, false},
-    {110.0914, 4.984509e+08, 3.051e-05, 2.123158e-05, 0.01100869, false},
-    {926.089, 7.20144e+08, 2.117e-05, 2.483312e-05, 0.0923455, false},
-    {95.80118, 5.267416e+08, 2.885e-05, 2.181231e-05, 0.009579825, false},
-    {1082.514, 6.718629e+08, 2.27e-05, 2.421543e-05, 0.1078315, false},
-    {88.09763, 5.522951e+08, 2.751e-05, 2.229403e-05, 0.008809535, false},
-    {2950.681, 1.599851e+09, 1.653e-05, 2.841698e-05, 0.286926, true},
-    {83.93367, 5.779584e+08, 2.628e-05, 2.274409e-05, 0.00839317, false},
-    {4439.471, 1.199523e+09, 1.417e-05, 2.970895e-05, 0.4178089, true},
-    {64.35465, 6.663287e+08, 2.282e-05, 2.408816e-05, 0.006435376, false},
-    {18028.03, 2.937579e+09, 1.079e-05, 4.608069e-05, 1.064358, false},
-    {77.19705, 7.00739e+08, 2.168e-05, 2.454594e-05, 0.007719552, false},
-    {13996.47, 2.86495e+09, 9.33e-06, 4.268751e-05, 0.9504276, false},
-    {94.85901, 7.243523e+08, 2.095e-05, 2.48424e-05, 0.009485617, false},
-    {11800.52, 2.82509e+09, 8.58e-06, 4.083241e-05, 0.8678016, false},
-    {114.6868, 7.426726e+08, 2.042e-05, 2.506346e-05, 0.01146817, false},
-    {10282.71, 2.797809e+09, 8.02e-06, 3.956905e-05, 0.7993359, false},
-    {3138.675, 8.862609e+08, 0.00019192, 7.817976e-05, 0.03137645, false},
-    {3138.675, 8.862609e+08, 0.00019192, 7.817976e-05, 0.03137645, false},
-    {1511.239, 1.019347e+09, 0.00015338, 9.51285e-05, 0.01511124, false},
-    {7060.818, 1.464539e+09, 0.00015068, 0.0001064644, 0.07049119, false},
-    {1080.148, 1.147133e+09, 0.00013386, 0.0001013156, 0.01080106, false},
-    {10627.77, 1.473891e+09, 0.00010528, 0.0001129624, 0.1058803, false},
-}};
+/// The states of reference_states.csv.
+const std::vector<ReferenceState>& referenceStates()
+{
+  static const auto states = []
+  {
+    std::vector<ReferenceState> read;
+    std::ifstream file("core/balance/reference_states.csv");
+    std::string line;
+    std::getline(file, line);  // the titles
+    while (std::getline(file, line))
+    {
+      std::replace(line.begin(), line.end(), ',', ' ');
+      std::istringstream row(line);
+      ReferenceState& state = read.emplace_back();
+      row >> state.load >> state.rails_outward >> state.y >> state.yaw >> state.roll >> state.height;
+      for (ReferenceWheel* wheel : {&state.wheel.left, &state.wheel.right})
+      {
+        row >> wheel->outward_force >> wheel->max_pressure >> wheel->area >> wheel->approach >> wheel->contact_angle >>
+            wheel->several;
+      }
+      std::getline(row >> std::ws, state.scene);
+    }
+    return read;
+  }();
+  return states;
+}
+constexpr std::size_t state_count = 25;
 
 double relative(double value, double reference)
 {
@@ -135,17 +82,15 @@ class ReferenceStateTest : public testing::TestWithParam<std::size_t>
     static WheelsetContact on_straight_rails = contactOnRails(0);
     static WheelsetContact on_bent_rails = contactOnRails(0.2435e-3);
     const ReferenceState& row = state();
+    ASSERT_EQ(referenceStates().size(), state_count);
     ASSERT_TRUE(row.rails_outward == 0 || row.rails_outward == 0.2435e-3);
     WheelsetContact& contact = row.rails_outward == 0 ? on_straight_rails : on_bent_rails;
     contact.reset();
     result_ = okResult(contact, stateAt(row.y, row.load, row.yaw));
   }
 
-  static const ReferenceState& state() { return reference_states.at(GetParam()); }
-  static const ReferenceWheel& row(Side side)
-  {
-    return reference_wheels.at(2 * GetParam() + (side == Side::left ? 0 : 1));
-  }
+  static const ReferenceState& state() { return referenceStates().at(GetParam()); }
+  static const ReferenceWheel& row(Side side) { return state().wheel[side]; }
   static bool onFlange() { return std::abs(state().y) > 6.5e-3; }
 
   /// Angle between the force on a rail and that of the reference, positive if steeper to the outside [rad].
@@ -163,7 +108,7 @@ class ReferenceStateTest : public testing::TestWithParam<std::size_t>
     std::printf(
         "%-25s y %5.1f mm %-5s: max pressure %+5.2f %%, area %+5.2f %%, height %+6.2f um, outward force %+5.2f %% "
         "(%+.4f rad)%s\n",
-        state().scene, state().y * 1e3, side == Side::left ? "left" : "right",
+        state().scene.c_str(), state().y * 1e3, side == Side::left ? "left" : "right",
         100 * relative(found.max_pressure, reference.max_pressure), 100 * relative(found.area, reference.area),
         (result_.z - state().height) * 1e6, 100 * relative(outward, reference.outward_force), turn(side),
         reference.several ? ", several areas" : "");
@@ -241,7 +186,7 @@ TEST_P(ReferenceStateTest, SemiAxesAgreeWithTheStiffnessOfTheReference)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(ManchesterSweep, ReferenceStateTest, testing::Range(std::size_t{0}, reference_states.size()));
+INSTANTIATE_TEST_SUITE_P(ManchesterSweep, ReferenceStateTest, testing::Range(std::size_t{0}, state_count));
 
 /// Wheelset of two standard profiles on rigid rails, inclined 1:40.
 WheelsetContact wheelsetOf(const std::string& wheel, const std::string& rail)
