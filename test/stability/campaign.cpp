@@ -8,7 +8,7 @@
 //
 // A random scene has random profiles, track, method, tolerance, grid and rails, and thirty states (random_scene.h). The
 // default SEED is 1. Each result is checked independently of the solver (result_check.h). Where y changes by only 1 um
-// from one state to the next, both results are compared (continuity.h). The program prints the refusals by reason and
+// from one state to the next, both results are compared. The program prints the refusals by reason and
 // region, the slowest state, and all faults with the number of the scene. It exits with 1 if there is a fault, or if
 // too many results of random scenes are inaccurate (tally.cpp), and with 2 for wrong arguments or files.
 //
@@ -17,8 +17,8 @@
 #include <cctype>
 #include <chrono>
 
+#include "../core/balance/wheelset_scene.h"
 #include "../thread_time.h"
-#include "continuity.h"
 #include "random_scene.h"
 #include "result_check.h"
 #include "scene_file.h"
@@ -34,6 +34,57 @@ using wheel_rail_contact::threadTime;
 bool isContinuous(NormalMethod method)
 {
   return method != NormalMethod::hertz;
+}
+
+/// Difference between the results of two neighbouring states.
+struct Change
+{
+  bool jumped = false;  ///< the number of patches of a wheel differs, or one of its patches moved by more than `far`
+  double pressure = 0;  ///< relative change of the highest pressure of a wheel [-], for the wheel nearest to its bound
+  double bound = 0;     ///< largest change of that wheel that is explained without a jump [-]
+};
+
+/// Displacement of a patch beyond which it is another place of contact [m].
+constexpr double far = 2.5e-4;
+
+/// Bound of the relative change of the highest pressure of a wheel [-], without a jump, between two states that are
+/// `distance` [m] apart in y: the sum of
+///  - both error estimates,
+///  - 3 * distance / approach, for the change of the approach. The relative displacement of the bodies along the normal
+///    is at most three times the lateral displacement (flange at 70 degrees that lifts the tread). The pressure is
+///    proportional to the root of the approach (Hertz), which gives half of 3 * distance / approach. A rail that is
+///    deflected by its compliance table adds the same amount.
+double boundOf(const PatchResult& before, const PatchResult& after, double distance)
+{
+  return before.error_estimate + after.error_estimate + 3 * distance / std::min(before.approach, after.approach);
+}
+
+/// @param distance  difference of the two states in y [m]
+Change changeBetween(const WheelsetResult& before, const WheelsetResult& after, double distance)
+{
+  Change change;
+  for (const Side side : {Side::left, Side::right})
+  {
+    const auto first = patchesOf(before, side), second = patchesOf(after, side);
+    change.jumped = change.jumped || first.size() != second.size();
+    for (std::size_t k = 0; k < std::min(first.size(), second.size()); ++k)
+    {
+      const double moved = std::hypot(first[k]->pose.y - second[k]->pose.y, first[k]->pose.z - second[k]->pose.z);
+      change.jumped = change.jumped || moved > far;
+    }
+    if (first.empty() || second.empty())
+    {
+      continue;
+    }
+    const PatchResult &p = highestOf(first), &q = highestOf(second);
+    const double pressure = std::abs(q.max_pressure / p.max_pressure - 1), bound = boundOf(p, q, distance);
+    if (pressure * change.bound >= change.pressure * bound)
+    {
+      change.pressure = pressure;
+      change.bound = bound;
+    }
+  }
+  return change;
 }
 
 class Campaign

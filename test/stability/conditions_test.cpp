@@ -2,7 +2,6 @@
 #include "../core/balance/crossing_scene.h"
 #include "result_check.h"
 #include "scene.h"
-#include "standard_wheelset.h"
 
 using namespace wheel_rail_contact::core;
 using namespace wheel_rail_contact::core::stability;
@@ -60,20 +59,6 @@ TEST(ContactConditions, HoldForAWheelOnTwoPartsOfARail)
   EXPECT_GT(on_both, 5) << "the wheel must touch both";
 }
 
-/// The patch of a wheel with the highest pressure; null without a patch.
-const PatchResult* highest(const WheelsetResult& result, Side side)
-{
-  const PatchResult* found = nullptr;
-  for (const PatchResult& patch : result.patches)
-  {
-    if (patch.side == side && (found == nullptr || patch.max_pressure > found->max_pressure))
-    {
-      found = &patch;
-    }
-  }
-  return found;
-}
-
 /// The wheel profile passes through points 0.25 mm apart with noise of 0.5 um. It has waves between the columns of a
 /// coarse grid. The reference has 192 x 256 cells, which resolve the waves. The error of the highest pressure must be
 /// within the error estimate in 92 of 100 patches, and always within three times the estimate plus the error of the
@@ -101,7 +86,7 @@ TEST(ErrorEstimate, HoldsOnAWavyProfile)
       ASSERT_TRUE(isUsable(result.status) && isUsable(fine.status)) << y;
       for (const Side side : {Side::left, Side::right})
       {
-        const PatchResult &found = *highest(result, side), &exact = *highest(fine, side);
+        const PatchResult &found = highestOf(patchesOf(result, side)), &exact = highestOf(patchesOf(fine, side));
         const double error = std::abs(found.max_pressure / exact.max_pressure - 1);
         held += error <= found.error_estimate ? 1 : 0;
         ++count;

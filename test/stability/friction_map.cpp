@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
-#include <cmath>
-#include <memory>
-
 #include "../core/balance/wheelset_scene.h"
+#include "scene.h"
 #include "stability_map.h"
-#include "standard_wheelset.h"
 
 namespace wheel_rail_contact::core::stability
 {

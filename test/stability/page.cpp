@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "stability_map.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "wheel_rail_contact/core/normal_solver.h"
 
 namespace wheel_rail_contact::core::stability
@@ -68,17 +65,7 @@ void writeLegend(std::ostream& out, const std::vector<std::string>& reasons)
 
 void writeTable(std::ostream& out, const MapTable& table, const std::vector<std::string>& reasons)
 {
-  out << "\n## " << table.title << "\n\n" << table.text << "\n\n| situation |";
-  for (const std::string& column : table.columns)
-  {
-    out << ' ' << column << " |";
-  }
-  out << "\n|---|";
-  for (std::size_t k = 0; k < table.columns.size(); ++k)
-  {
-    out << "---|";
-  }
-  out << '\n';
+  out << headOf(table);
   for (const MapRow& row : table.rows)
   {
     out << "| " << row.situation << " |";
@@ -89,26 +76,21 @@ void writeTable(std::ostream& out, const MapTable& table, const std::vector<std:
     out << '\n';
   }
 }
-
-/// The fields of a row of a table, without spaces at both ends and letters of reasons.
-std::vector<std::string> fieldsOf(const std::string& line)
-{
-  std::vector<std::string> fields;
-  const std::string separator = " | ";
-  std::size_t begin = 2, end = 0;
-  while ((end = line.find(separator, begin)) != std::string::npos)
-  {
-    fields.push_back(line.substr(begin, end - begin));
-    begin = end + separator.size();
-  }
-  fields.push_back(line.substr(begin, line.rfind(" |") - begin));
-  for (std::string& field : fields)
-  {
-    field = field.rfind("refused (", 0) == 0 ? "refused" : field;
-  }
-  return fields;
-}
 }  // namespace
+
+std::string digits(double value)
+{
+  std::string text = std::to_string(value);
+  text.erase(text.find_last_not_of('0') + 1);
+  return text.back() == '.' ? text.substr(0, text.size() - 1) : text;
+}
+
+const std::vector<MapTable>& stabilityMaps()
+{
+  static const std::vector<MapTable> maps{wheelsetMap(),  sweepMap(),    conformalMap(), shapeMap(),   aspectMap(),
+                                          iterationMap(), fewCellsMap(), boxMap(),       frictionMap()};
+  return maps;
+}
 
 std::vector<std::string> methodNames()
 {
@@ -118,6 +100,17 @@ std::vector<std::string> methodNames()
     names.emplace_back(toString(method));
   }
   return names;
+}
+
+std::string headOf(const MapTable& table)
+{
+  std::string columns = "| situation |", line = "|---|";
+  for (const std::string& column : table.columns)
+  {
+    columns += ' ' + column + " |";
+    line += "---|";
+  }
+  return "\n## " + table.title + "\n\n" + table.text + "\n\n" + columns + '\n' + line + '\n';
 }
 
 void writePage(std::ostream& out, const std::vector<MapTable>& tables)
@@ -139,35 +132,5 @@ void writePage(std::ostream& out, const std::vector<MapTable>& tables)
   {
     writeTable(out, table, reasons);
   }
-}
-
-PageEntries readPage(std::istream& in)
-{
-  PageEntries entries;
-  std::string title;
-  std::vector<std::string> columns;
-  for (std::string line; std::getline(in, line);)
-  {
-    if (line.rfind("## ", 0) == 0)
-    {
-      title = line.substr(3);
-      columns.clear();
-    }
-    if (title.empty() || line.rfind("| ", 0) != 0)
-    {
-      continue;
-    }
-    const std::vector<std::string> fields = fieldsOf(line);
-    if (columns.empty())
-    {
-      columns = fields;
-      continue;
-    }
-    for (std::size_t k = 1; k < std::min(fields.size(), columns.size()); ++k)
-    {
-      entries[title][fields[0]][columns[k]] = fields[k];
-    }
-  }
-  return entries;
 }
 }  // namespace wheel_rail_contact::core::stability

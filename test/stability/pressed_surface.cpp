@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pressed_surface.h"
 
-#include <cmath>
-#include <stdexcept>
-
 namespace wheel_rail_contact::core::stability
 {
 namespace

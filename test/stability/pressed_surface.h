@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vector>
-
+#include "../standard_headers.h"
 #include "core/normal/operator/influence_operator.h"
 #include "core/normal/operator/operator_cache.h"
 #include "core/track/gap.h"

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "pressed_surface.h"
 #include "wheel_rail_contact/core/wheelset_contact.h"
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <ostream>
-#include <string>
-
 #include "scene.h"
 
 /// Files of regression scenes (test/stability/scenes/*.yaml).

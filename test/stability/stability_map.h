@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <istream>
-#include <ostream>
-
 #include "verdict.h"
 
 namespace wheel_rail_contact::core::stability
@@ -51,10 +48,8 @@ MapTable frictionMap();
 /// All of them. They are computed in the first call, which takes about ten seconds.
 const std::vector<MapTable>& stabilityMaps();
 
+/// All lines of a table on the page before its rows.
+std::string headOf(const MapTable& table);
 /// Writes the page doc/stability.md.
 void writePage(std::ostream& out, const std::vector<MapTable>& tables);
-
-/// Entries of a page: by title of the table, situation and column. Letters of reasons are left out.
-using PageEntries = std::map<std::string, std::map<std::string, std::map<std::string, std::string>>>;
-PageEntries readPage(std::istream& in);
 }  // namespace wheel_rail_contact::core::stability

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Writes the page doc/stability.md to the standard output:
 //   stability_page > doc/stability.md
-#include <exception>
-#include <iostream>
-
 #include "stability_map.h"
 
 int main()

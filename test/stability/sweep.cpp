@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sweep.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "../core/balance/wheelset_scene.h"
 #include "core/balance/wheelset_balance.h"
+#include "scene.h"
 #include "stability_map.h"
-#include "standard_wheelset.h"
 
 namespace wheel_rail_contact::core::stability
 {

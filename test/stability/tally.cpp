@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tally.h"
 
-#include <algorithm>
-#include <cstdio>
-
 namespace wheel_rail_contact::core::stability
 {
 namespace

@@ -3,7 +3,6 @@
 #include "../core/balance/wheelset_scene.h"
 #include "scene.h"
 #include "stability_map.h"
-#include "standard_wheelset.h"
 
 namespace wheel_rail_contact::core::stability
 {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "../../usual_headers.h"
-#include "wheel_rail_contact/core/wheelset_contact.h"
+#include "wheelset_scene.h"
 
 /// Comparison of results without a tolerance: with equal results, and with the mirror image, in which left and right
 /// are exchanged. Both sides use the same arithmetic.
@@ -35,19 +34,6 @@ inline ContactModelConfig mirrored(ContactModelConfig config)
   std::swap(config.wheelset.rolling_radius.left, config.wheelset.rolling_radius.right);
   std::swap(config.rail_bending.table.left, config.rail_bending.table.right);
   return config;
-}
-
-inline std::vector<const PatchResult*> patchesOf(const WheelsetResult& result, Side side)
-{
-  std::vector<const PatchResult*> found;
-  for (const PatchResult& patch : result.patches)
-  {
-    if (patch.side == side)
-    {
-      found.push_back(&patch);
-    }
-  }
-  return found;
 }
 
 /// Expects the numbers that a patch and its mirror image share to be equal in every bit.

@@ -57,6 +57,28 @@ double difference(const PatchResult& found, const Contact& exact)
                    std::abs(found.approach / exact.approach - 1)});
 }
 
+/// Patches of a wheel.
+inline std::vector<const PatchResult*> patchesOf(const WheelsetResult& result, Side side)
+{
+  std::vector<const PatchResult*> found;
+  for (const PatchResult& patch : result.patches)
+  {
+    if (patch.side == side)
+    {
+      found.push_back(&patch);
+    }
+  }
+  return found;
+}
+
+/// The patch with the highest pressure.
+inline const PatchResult& highestOf(const std::vector<const PatchResult*>& patches)
+{
+  return **std::max_element(patches.begin(), patches.end(),
+                            [](const PatchResult* a, const PatchResult* b)
+                            { return a->max_pressure < b->max_pressure; });
+}
+
 /// Sums over the patches of a wheel.
 struct WheelTotal
 {
