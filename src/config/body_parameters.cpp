@@ -72,6 +72,42 @@ void readProfile(ParameterReader& reader, const std::string& name, NamedFile& pr
   }
 }
 
+/// Reads how a wheel is not round: a file, or a group. @param radius  of the wheel [m]
+void readOutOfRound(ParameterReader& reader, const std::string& name, double radius, NamedFile& table,
+                    core::OutOfRound& wheel)
+{
+  constexpr double longest = 0.29;  // flat over the radius
+  const std::string file = name + "/file", harmonics = name + "/harmonics", flats = name + "/flats";
+  reader.refuseIf(reader.has(name) && (reader.has(file) || reader.has(harmonics) || reader.has(flats)), name,
+                  "either a file or a group with file, harmonics and flats");
+  table.parameter = reader.has(file) ? file : name;
+  reader.read(name, table.value);
+  reader.read(file, table.value);
+  for (ParameterReader& group : reader.readGroups(harmonics))
+  {
+    core::OutOfRound::Harmonic& wave = wheel.harmonics.emplace_back();
+    group.read("order", rules::whole, wave.order);
+    group.read("amplitude", rules::finite, wave.amplitude);
+    group.read("phase", rules::finite, wave.phase);
+    group.refuseUnknown();
+    group.require("order", "waves in the circumference");
+    group.require("amplitude", "of the radius [m]");
+  }
+  for (ParameterReader& group : reader.readGroups(flats))
+  {
+    core::OutOfRound::Flat& flat = wheel.flats.emplace_back();
+    double length = 0;
+    group.read("angle", rules::finite, flat.angle);
+    group.read("depth", rules::positive, flat.depth);
+    group.read("length", rules::positive, length);
+    group.refuseUnknown();
+    group.require(group.has("length") ? "length" : "depth", "give depth or length [m]");
+    group.refuseIf(group.has("depth") && group.has("length"), "length", "omitted beside depth");
+    group.refuseIf(length > longest * radius, "length", "at most 0.29 rolling radii [m]");
+    flat.depth += radius - std::sqrt(radius * radius - 0.25 * length * length);
+  }
+}
+
 /// Reads a list of sections, each with its place and its file.
 /// @param group_of_part  its name in messages, with "/"; empty for the running rail
 void readSections(ParameterReader& reader, const std::string& group_of_part, const std::string& name,
@@ -202,6 +238,8 @@ void readWheels(ParameterReader& reader, core::ContactModelConfig& model, ModelF
   {
     readProfile(reader, sideGroup("wheel", side) + "profile", files.wheel_profile[side]);
     reader.read(sideGroup("wheel", side) + "rolling_radius", rules::finite, radius[side]);
+    readOutOfRound(reader, sideGroup("wheel", side) + "out_of_round", radius[side], files.rim[side],
+                   files.out_of_round[side]);
   }
   readMaterials(reader, "wheel", model.wheel_material);
 }

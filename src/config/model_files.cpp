@@ -222,6 +222,16 @@ void openFiles(const ModelFiles& files, const FileSearch& search, NodeConfig& co
   {
     config.model.rail_profile[side] = rails[side].profile;
     config.model.rail_sections[side] = rails[side].sections;
+    core::OutOfRound wheel = files.out_of_round[side];
+    if (!files.rim[side].value.empty())
+    {
+      wheel.table =
+          openFile(files.rim[side], [&](const auto& file) { return core::readOutOfRound(search.find(file)); });
+    }
+    if (!wheel.table.empty() || !wheel.harmonics.empty() || !wheel.flats.empty())
+    {
+      config.model.wheelset.out_of_round[side] = std::make_shared<core::OutOfRound>(std::move(wheel));
+    }
   }
   if (!files.line.value.empty())
   {

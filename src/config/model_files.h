@@ -65,6 +65,8 @@ inline bool operator==(const RailFiles& a, const RailFiles& b)
 struct ModelFiles
 {
   core::Sides<NamedFile> wheel_profile;
+  core::Sides<NamedFile> rim;                  ///< tables of OutOfRound; empty: not given
+  core::Sides<core::OutOfRound> out_of_round;  ///< the rest of it
   core::Sides<RailFiles> rail;
   core::Sides<NamedFile> table;  ///< compliance tables
   NamedFile line;                ///< irregularities; empty: the ideal track

@@ -53,6 +53,7 @@ std::string_view faultOf(const WheelsetState& state, bool height_and_roll_given)
       {std::isfinite(state.y), "lateral position is not a number"},
       {has_roll && !(std::abs(state.roll) > angle_limit), "roll is not a number or beyond 0.2 rad"},
       {within(state.yaw, angle_limit), "yaw is not a number or beyond 0.2 rad"},
+      {std::isfinite(state.pitch), "pitch is not a number"},
       {within(state.force_z, force_limit) && within(state.torque_x, force_limit),
        "load is not a number or beyond 1e8 N"},
       {within(force.left, force_limit) && within(force.right, force_limit),

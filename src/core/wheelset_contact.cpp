@@ -245,6 +245,10 @@ class WheelsetContact::Calculation
                  ? "the left rail has an edge along the track: its highest place carries the wheel"
              : !balance_.wheel(Side::right).isSmooth()
                  ? "the right rail has an edge along the track: its highest place carries the wheel"
+             : !balance_.wheel(Side::left).rim().smooth
+                 ? "the left wheel has an edge along its circumference: its lowest place carries it"
+             : !balance_.wheel(Side::right).rim().smooth
+                 ? "the right wheel has an edge along its circumference: its lowest place carries it"
              : result_.above_tolerance ? "the estimated error of a wheel is above contact/tolerance"
              : is_noisy_ ? "the noise of the points of a profile leaves the highest pressure open by more than "
                            "contact/tolerance"

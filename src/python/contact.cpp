@@ -38,6 +38,7 @@ std::vector<std::pair<std::string, double*>> stateFields(WheelsetState& s)
       {"z", &s.z},
       {"yaw", &s.yaw},
       {"roll", &s.roll},
+      {"pitch", &s.pitch},
       {"force_z", &s.force_z},
       {"torque_x", &s.torque_x},
       {"x", &s.x},

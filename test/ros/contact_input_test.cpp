@@ -141,13 +141,14 @@ TEST(ContactInput, StateHasTheValuesOfPoseAndLoad)
             (std::array{4.0, 0.002, 0.46, 0.0, 0.0, -2e5, 3.0}));
 }
 
-TEST(ContactInput, RotationAboutTheAxleAndNearlyUnitLengthHaveNoEffect)
+TEST(ContactInput, RotationAboutTheAxleIsThePitchAndNearlyUnitLengthHasNoEffect)
 {
   for (const double spin : {0.0, 0.3, 1.5707963267948966, 3.0, -2.0})
   {
     const core::WheelsetState state = convert(input(pose(turned(0.02, -0.005, spin))));
     EXPECT_NEAR(state.yaw, 0.02, 1e-12) << spin;
     EXPECT_NEAR(state.roll, -0.005, 1e-12) << spin;
+    EXPECT_NEAR(state.pitch, spin, 1e-12);
   }
   Eigen::Quaterniond q = turned(0.02, 0.01, 0);
   q.coeffs() *= 1.0009;

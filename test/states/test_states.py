@@ -31,9 +31,10 @@ class States(StatesCase):
 
     def test_railway_axes_are_right_and_down(self):
         state, = self.states_of("time [s],x [m],y [mm],z [mm],roll [mrad],yaw [mrad],force_z [kN],torque_x [kN m],"
-                                "Y_right [kN]\n1,7,3,-460,0.2,1.5,200,5,9\n", "--axes", "railway")
-        got = (state.x, state.y, state.z, state.roll, state.yaw, state.force_z, state.torque_x, state.right_lateral_force)
-        for value, expected in zip(got, (7, -3e-3, 0.46, 0.2e-3, -1.5e-3, -200e3, 5e3, 9e3)):
+                                "Y_right [kN],pitch [rad]\n1,7,3,-460,0.2,1.5,200,5,9,-2.8\n", "--axes", "railway")
+        got = (state.x, state.y, state.z, state.roll, state.yaw, state.force_z, state.torque_x, state.right_lateral_force,
+               state.pitch)
+        for value, expected in zip(got, (7, -3e-3, 0.46, 0.2e-3, -1.5e-3, -200e3, 5e3, 9e3, 2.8)):
             self.assertAlmostEqual(value, expected, delta=1e-12 * abs(expected))
 
     def test_displacements_of_the_rails_are_outward_and_down_in_railway_axes(self):

@@ -122,12 +122,50 @@ struct TrackConfig
   std::shared_ptr<const TrackLine> line{};
 };
 
+/// Deviation of the radius of a wheel from its rolling radius, the same in all sections; positive: a larger one. The
+/// sum of all parts.
+///
+/// Its angle is one of the wheel's material about the axle [rad]; it grows forward from the lowest line. The place at
+/// an angle is lowest when WheelsetState::pitch is that angle.
+struct OutOfRound
+{
+  /// Place of a table.
+  struct Point
+  {
+    double angle, deviation;  ///< [rad], [m]
+  };
+  /// amplitude * sin(order * angle + phase)
+  struct Harmonic
+  {
+    int order = 1;                    ///< waves in the circumference, 1 to 100
+    double amplitude = 0, phase = 0;  ///< [m], [rad]
+  };
+  /// Chord of the circle, with sharp edges.
+  struct Flat
+  {
+    double angle = 0, depth = 0;  ///< of its middle [rad], [m]
+  };
+
+  std::vector<Point> table;  ///< none, or at least 8; angles increase within one turn. Monotone cubics between them
+  std::vector<Harmonic> harmonics;  ///< polygon
+  std::vector<Flat> flats;          ///< in any order
+
+  /// Deviation at an angle [rad] on this rolling radius [m].
+  double at(double angle, double radius) const;
+};
+
+/// Reads OutOfRound::table by the rules of profile files: columns `angle` (rad, mrad, deg) and `deviation` (m, cm, mm,
+/// um, in), each with its unit; one turn, of which the last row may repeat the first.
+/// @throw FileError with the file, the line and the reason.
+std::vector<OutOfRound::Point> readOutOfRound(const std::string& path);
+
 /// Dimensions of the wheelset, and the part of its pose that is solved.
 struct WheelsetConfig
 {
   Sides<double> rolling_radius = 0.460;  ///< radius of each wheel at its running circle [m], 0.05 to 2
-  double flange_back_distance = 1.360;   ///< back-to-back distance: between the backs of both flanges [m], 0.2 to 3
-  double tape_circle = 0.070;            ///< distance from the flange back to the running circle [m], 0.005 to 0.5
+  Sides<std::shared_ptr<const OutOfRound>> out_of_round{};  ///< null: round. Below 1.1 % of the radius
+  double flange_back_distance = 1.360;  ///< back-to-back distance: between the backs of both flanges [m], 0.2 to 3
+  double tape_circle = 0.070;           ///< distance from the flange back to the running circle [m], 0.005 to 0.5
   /// True: height and roll of the axle are solved from the load. False: they are given in each WheelsetState, and the
   /// forces follow from them.
   bool solve_height_and_roll = true;
@@ -157,4 +195,6 @@ void validate(const TrackConfig& track);
 /// Checks that every parameter is within its range.
 /// @throw std::invalid_argument with the name of the parameter, its value and the broken rule.
 void validate(const WheelsetConfig& wheelset);
+/// The same. @param option  name before those of the parameters
+void validate(const OutOfRound& wheel, double radius, const std::string& option);
 }  // namespace wheel_rail_contact::core

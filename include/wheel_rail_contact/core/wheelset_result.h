@@ -31,6 +31,9 @@ struct WheelsetState
   /// Rotation of the axle about x, positive if the left wheel is raised [rad]; |roll| <= 0.2. Used only if
   /// WheelsetConfig::solve_height_and_roll is false.
   double roll = 0;
+  /// Rotation of the wheelset about its axle, positive as it rolls forward [rad]. Used only with
+  /// WheelsetConfig::out_of_round.
+  double pitch = 0;
   /// Vertical force on the axle centre, up positive [N], of everything but the normal pressure of the rails: of the
   /// vehicle, the weight of the wheelset itself (negative), inertia, and friction. With CreepConfig::method, the
   /// friction of the contacts is not part of it. |force_z| <= 1e8. Not required if height and roll are given.

@@ -73,13 +73,13 @@ PlacedWheel OverlapGrids::wheelAt(double z) const
 {
   WheelsetPose pose = placed_wheel_->pose();
   pose.z = z;
-  return {*config_.wheel_profile[side_], config_.wheelset, side_, pose};
+  return {*config_.wheel_profile[side_], config_.wheelset, side_, pose, rail_->rim().rise};
 }
 
 OverlapGrids::Overlap OverlapGrids::build(const WheelsetPose& pose, const GridSize& size, Choice choice, Reach reach,
                                           CurvedProblem& problem)
 {
-  placed_wheel_.emplace(*config_.wheel_profile[side_], config_.wheelset, side_, pose);
+  placed_wheel_.emplace(*config_.wheel_profile[side_], config_.wheelset, side_, pose, rail_->rim().rise);
   search_.setWheel(*placed_wheel_);
   if (!search_.nearest(touch_))
   {

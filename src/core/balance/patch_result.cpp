@@ -43,9 +43,9 @@ struct Force
   double forward = 0, outward = 0, down = 0;
 };
 
-/// @param x  of the middle of the grid [m]
-Force forceOf(const Grid& grid, double x, const Eigen::ArrayXXd& pressure, const std::vector<SurfaceColumn>& columns,
-              std::size_t begin)
+/// @param x  of the centre of pressure [m]
+Force forceOf(const PlacedRail& rail, const Grid& grid, double x, const Eigen::ArrayXXd& pressure,
+              const std::vector<SurfaceColumn>& columns, std::size_t begin)
 {
   Force force;
   for (int j = 0; j < grid.ny; ++j)
@@ -54,7 +54,7 @@ Force forceOf(const Grid& grid, double x, const Eigen::ArrayXXd& pressure, const
     const SurfaceColumn& column = columns[begin + static_cast<std::size_t>(j)];
     force.outward -= share * column.perOutward();
     force.down += share * column.perUp();
-    force.forward += share * column.along.slopeAt(x);
+    force.forward += share * rail.ownAlong(column.rail_u).slopeAt(x);
   }
   return force;
 }
@@ -63,7 +63,7 @@ Force forceOf(const Grid& grid, double x, const Eigen::ArrayXXd& pressure, const
 PlanePoint beside(const PlacedRail& rail, double u, double x)
 {
   PlanePoint point = rail.at(u);
-  const double rise = rail.along(u).at(x) / std::hypot(point.dy, point.dz);
+  const double rise = rail.ownAlong(u).at(x) / std::hypot(point.dy, point.dz);
   point.y -= rise * point.dz;
   point.z += rise * point.dy;
   return point;
@@ -121,7 +121,7 @@ void fillPatch(Side side, const WheelsetBalance& balance, std::size_t island, Pa
                              between(columns[before].rail_u, columns[before + 1].rail_u)};
   const double x = contact.grids().originOf(of.patch).x + centre.x;
   const PlanePoint origin = beside(contact.rail(), places.rail_u, x);
-  const Force force = forceOf(gap.grid, x, pressure.pressure, columns, begin);
+  const Force force = forceOf(contact.rail(), gap.grid, x, pressure.pressure, columns, begin);
   const double angle = std::atan2(force.outward, force.down), sign = sideSign(side);
   out.side = side;
   out.contact_angle = angle;
@@ -225,10 +225,10 @@ void placeOnBodies(const ContactModelConfig& config, const WheelsetPose& axle, c
   patch.wheel_angle = std::atan2(place.dot(forward), -place.dot(up));
 
   const Profile& wheel = *config.wheel_profile[patch.side];
-  const PlacedWheel placed(wheel, config.wheelset, patch.side, toSide(patch.side, axle));
+  const PlacedWheel placed(wheel, config.wheelset, patch.side, toSide(patch.side, axle), rail.rim().rise);
   const double wheel_u = placed.opposite(beside(rail, places.rail_u, patch.pose.x), patch.pose.x, places.wheel_u);
   const CurvePoint on_wheel = wheel.at(wheel_u);
-  patch.rolling_radius = config.wheelset.rolling_radius[patch.side] - on_wheel.z;
+  patch.rolling_radius = placed.sections().radius - on_wheel.z + rail.rim().along.at(patch.pose.x);
   patch.wheel_s = arcFromOrigin(wheel, wheel_u);
   patch.rail_s = arcFromOrigin(rail.profile(), places.rail_u);
   patch.curvature_along = std::abs(on_wheel.dy) / std::hypot(on_wheel.dy, on_wheel.dz) / patch.rolling_radius;

@@ -51,11 +51,11 @@ void SupportedRail::displace(const RailDeflection& displacement)
   offset_ = prescribed_ + toCoordinates(displacement) + compliance_ * borne_;
 }
 
-PlacedRail SupportedRail::placedAt(Eigen::Vector3d coordinates) const
+PlacedRail SupportedRail::placedAt(Eigen::Vector3d coordinates, const WheelRim& rim) const
 {
   coordinates[1] += course_.rise;
   PlacedRail rail = atRest().deflected(toDeflection(coordinates));
-  rail.setMotion(course_.motion);
+  rail.setMotion(course_.motion, rim);
   return rail;
 }
 

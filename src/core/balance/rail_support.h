@@ -55,8 +55,8 @@ class SupportedRail
   const Eigen::Matrix3d& compliance() const { return compliance_; }
   /// Forces of bear().
   const Eigen::Vector3d& borne() const { return borne_; }
-  /// The rail with these coordinates, on its course.
-  PlacedRail placedAt(Eigen::Vector3d coordinates) const;
+  /// The rail with these coordinates, on its course, below a wheel.
+  PlacedRail placedAt(Eigen::Vector3d coordinates, const WheelRim& rim) const;
   /// Whole displacement under forces.
   Eigen::Vector3d under(const Eigen::Vector3d& forces) const { return offset_ + compliance_ * forces; }
 

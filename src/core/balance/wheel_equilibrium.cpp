@@ -68,7 +68,7 @@ void WheelEquilibrium::place(const Eigen::Vector3d& forces)
   const Eigen::Vector3d coordinates = rail_.under(forces);
   if (!placed_ || coordinates != *placed_)
   {
-    contact_.setRail(rail_.placedAt(coordinates), !placed_);
+    contact_.setRail(rail_.placedAt(coordinates, rim_), !placed_);
     placed_ = coordinates;
   }
 }

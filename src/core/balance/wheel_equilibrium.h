@@ -44,6 +44,13 @@ class WheelEquilibrium
     }
     rail_.setCourse(course);
   }
+  /// Sets the rim of the wheel, if it is not round.
+  void setRim(const WheelRim& rim)
+  {
+    rim_ = rim;
+    placed_ = placed_ ? std::optional<Eigen::Vector3d>(Eigen::Vector3d::Constant(NAN)) : std::nullopt;
+  }
+  const WheelRim& rim() const { return rim_; }
   /// False if an edge of the rail places the contact, see RailCourse.
   bool isSmooth() const { return rail_.course().smooth; }
   /// Rail in the ideal track at the place of the last moveTo().
@@ -143,6 +150,7 @@ class WheelEquilibrium
   const ContactModelConfig& config_;
   double accuracy_;
   SupportedRail rail_;
+  WheelRim rim_;
   WheelContact contact_;
   bool own_force_ = true;
   double given_lateral_ = 0;

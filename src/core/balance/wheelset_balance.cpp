@@ -190,12 +190,17 @@ ContactStatus WheelsetBalance::discard(ContactStatus status, std::string_view re
   return status;
 }
 
-/// Moves both rails to the place of the state on the line. Adds the displacement by the line to that of the state.
+/// Moves both rails to the place of the state on the line, and turns wheels that are not round. Adds the displacement
+/// by the line to that of the state.
 WheelsetState WheelsetBalance::placeOnLine(WheelsetState state)
 {
   for (const Side side : sides)
   {
     wheel(side).moveTo(state.distance);
+    if (const OutOfRound* shape = config_.wheelset.out_of_round[side].get())
+    {
+      wheel(side).setRim(rimAt(*shape, config_.wheelset.rolling_radius[side], state.pitch));
+    }
   }
   if (const TrackLine* line = config_.track.line.get())
   {

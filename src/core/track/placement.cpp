@@ -85,7 +85,7 @@ PlacedRail PlacedRail::deflected(const RailDeflection& deflection) const
 }
 
 /// A section that moves by m along its tangent shows its own curvature, and one that also turns by w, 2 m w.
-AlongShape PlacedRail::along(const CurvePoint& point) const
+AlongShape PlacedRail::along(const CurvePoint& point, const AlongShape& rim) const
 {
   const PlanePoint place = this->place(point), head = referencePoint();
   const double per_length = 1 / std::sqrt(place.dy * place.dy + place.dz * place.dz), cosine = place.dy * per_length,
@@ -95,8 +95,9 @@ AlongShape PlacedRail::along(const CurvePoint& point) const
   const auto vertical = [&](const RailRates& rates) { return rates.vertical - rates.roll * y; };
   const auto normal = [&](const RailRates& rates) { return cosine * vertical(rates) - sine * lateral(rates); };
   const double tangential = cosine * lateral(motion_.slope) + sine * vertical(motion_.slope);
-  return {normal(motion_.slope),
-          normal(motion_.bend) + tangential * (2 * motion_.slope.roll + tangential * point.curvature())};
+  return {normal(motion_.slope) + cosine * rim.slope,
+          normal(motion_.bend) + cosine * rim.curvature +
+              tangential * (2 * motion_.slope.roll + tangential * point.curvature())};
 }
 
 void PlacedRail::turn(double angle)
@@ -105,7 +106,8 @@ void PlacedRail::turn(double angle)
   frame_.sine = std::sin(angle);
 }
 
-PlacedWheel::PlacedWheel(const Profile& profile, const WheelsetConfig& wheelset, Side side, const WheelsetPose& pose)
+PlacedWheel::PlacedWheel(const Profile& profile, const WheelsetConfig& wheelset, Side side, const WheelsetPose& pose,
+                         double rise)
     : profile_(&profile), pose_(pose)
 {
   // Roll, then yaw, about fixed axes: axle direction = Rz(yaw) Rx(roll) (0, 1, 0).
@@ -115,7 +117,7 @@ PlacedWheel::PlacedWheel(const Profile& profile, const WheelsetConfig& wheelset,
   forward_x_ = std::hypot(ay, az);
   const WheelCoordinate y{pose.y, ay, az / forward_x_, -ax * ay / forward_x_};
   const WheelCoordinate z{pose.z, az, -ay / forward_x_, -ax * az / forward_x_};
-  sections_ = {wheelset.rolling_radius[side], wheelset.halfBase(), ax, 1 / forward_x_, y, z};
+  sections_ = {wheelset.rolling_radius[side] + rise, wheelset.halfBase(), ax, 1 / forward_x_, y, z};
 }
 
 namespace

@@ -84,6 +84,14 @@ struct AlongTouch
   static constexpr double least_curvature = 0.05;  ///< in a dip that is as round as the wheel [1/m]
 };
 
+/// Rim of a wheel that is not round about its lowest line, as its rail sees it: a larger radius is a higher rail.
+struct WheelRim
+{
+  double rise = 0;     ///< of the radius over the rolling radius [m]
+  AlongShape along;    ///< of the rim over a circle, as a height
+  bool smooth = true;  ///< false: the second order fails, and the shape is a line at the lowest place of the wheel
+};
+
 /// Motion of the section of a rail along the track: derivatives of its displacement with respect to x.
 struct RailMotion
 {
@@ -116,18 +124,22 @@ class PlacedRail
   /// The same rail with its head displaced by `deflection` from its present position.
   PlacedRail deflected(const RailDeflection& deflection) const;
 
-  /// Sets how it is displaced along the track.
-  void setMotion(const RailMotion& motion)
+  /// Sets how it is displaced along the track, and the wheel on it.
+  void setMotion(const RailMotion& motion, const WheelRim& rim = {})
   {
     motion_ = motion;
-    changes_ = !(motion == RailMotion());
+    rim_ = rim;
+    changes_ = !(motion == RailMotion() && rim.along.slope == 0 && rim.along.curvature == 0);
   }
-  /// True if it changes along the track.
+  const WheelRim& rim() const { return rim_; }
+  /// True if it changes along the track, or the rim of the wheel does.
   bool changes() const { return changes_; }
-  /// Shape along the track, along the normal, at the parameter u [m] of the profile.
+  /// Shape along the track, along the normal, at the parameter u [m] of the profile, with that of the rim.
   AlongShape along(double u) const { return changes_ ? along(profile_->at(u)) : AlongShape(); }
   /// The same at a known point of the profile.
-  AlongShape along(const CurvePoint& point) const;
+  AlongShape along(const CurvePoint& point) const { return along(point, rim_.along); }
+  /// The same of the rail alone.
+  AlongShape ownAlong(double u) const { return changes_ ? along(profile_->at(u), {}) : AlongShape(); }
 
   /// Profile of the rail, in the profile frame.
   const Profile& profile() const { return *profile_; }
@@ -144,10 +156,12 @@ class PlacedRail
 
  private:
   void turn(double angle);
+  AlongShape along(const CurvePoint& point, const AlongShape& rim) const;
 
   std::shared_ptr<const Profile> profile_;
   RailFrame frame_;
   RailMotion motion_;
+  WheelRim rim_;
   bool changes_ = false;
 };
 
@@ -213,7 +227,9 @@ class PlacedWheel
  public:
   /// Keeps a reference to `profile`, which must outlive the object.
   /// @param pose  pose of the wheelset in side axes
-  PlacedWheel(const Profile& profile, const WheelsetConfig& wheelset, Side side, const WheelsetPose& pose);
+  /// @param rise  of the radius at the lowest line, over the rolling radius [m]
+  PlacedWheel(const Profile& profile, const WheelsetConfig& wheelset, Side side, const WheelsetPose& pose,
+              double rise = 0);
 
   /// Point of the contact locus on the wheel circle through the profile point `p`: the point at which the surface
   /// normal has no x component.

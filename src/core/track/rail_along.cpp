@@ -7,13 +7,16 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// Half the length over which a rail is compared with its second order along the track: that of a contact and the way
-/// by which a slope moves it [m].
+/// Half the length over which a rail or a rim is compared with its second order along the track: that of a contact and
+/// the way by which a slope moves it [m].
 constexpr double contact_reach = 5e-3;
 
 constexpr double farthest = 0.03;       ///< of the places at which a rail may touch the wheel [m]
 constexpr double scan_step = 2e-3;      ///< of these places [m]
 constexpr double smooth_within = 3e-6;  ///< difference of the lift of the wheel from that by the second order [m]
+constexpr double rim_accuracy = 1e-6;   ///< of the place at which an edge of a rim touches the rail [m]
+constexpr double same_place = 3e-4;  ///< of a contact, by the slope of a rim over contact_reach and over half of it [m]
+constexpr double least_round = 0.2;  ///< curvature of a rim over that of the circle; below, it ends as a flat does [-]
 
 /// Highest place of a rail for a wheel above it, and whether the second order gives as high a one.
 class Highest
@@ -32,10 +35,13 @@ class Highest
       lift_ = lift;
     }
   }
+  double x() const { return x_; }
+  double lift() const { return lift_; }
+  bool isRough() const { return std::abs(smooth_lift_ - lift_) > smooth_within; }
   /// Replaces the second order by a line that lifts the wheel at this place, where both differ.
   void placeWhereRough(RailCourse& course) const
   {
-    if (std::abs(smooth_lift_ - lift_) > smooth_within)
+    if (isRough())
     {
       course.smooth = false;
       course.motion.slope.vertical = x_ / radius_;
@@ -171,6 +177,34 @@ Sides<RailCourse> coursesAt(const TrackLine& line, double distance, const Sides<
     highest[side].placeWhereRough(courses[side]);
   }
   return courses;
+}
+
+WheelRim rimAt(const OutOfRound& shape, double radius, double pitch)
+{
+  const auto deviation = [&](double x) { return shape.at(pitch + x / radius, radius); };
+  const auto slope = [&](double reach) { return (deviation(reach) - deviation(-reach)) / (2 * reach); };
+  const double here = deviation(0), beside = 0.5 * (deviation(-contact_reach) + deviation(contact_reach));
+  const double bend = 2 * (beside - here) / (contact_reach * contact_reach);
+  WheelRim rim{here, {slope(contact_reach), bend}, true};
+  Highest highest(radius, rim.along);
+  const auto add = [&](double x) { highest.add(x, deviation(x) - here); };
+  for (double x = -farthest; x < farthest + 0.5 * scan_step; x += scan_step)
+  {
+    add(x);
+  }
+  if (highest.isRough() || 1 - radius * bend < least_round ||
+      radius * std::abs(rim.along.slope - slope(0.5 * contact_reach)) > same_place)
+  {
+    for (double step = scan_step; step > rim_accuracy; step *= 0.5)
+    {
+      const double middle = highest.x();
+      add(middle - step);
+      add(middle + step);
+    }
+    const double height = here + highest.lift(), x = highest.x(), circle = radius + height - 0.5 * x * x / radius;
+    rim = {height - 0.5 * x * x / circle, {x / circle, 0}, false};
+  }
+  return rim;
 }
 
 double middleOf(const Sides<RailDeflection>& displaced)

@@ -59,6 +59,9 @@ struct RailCourse
 Sides<RailCourse> coursesAt(const TrackLine& line, double distance, const Sides<PlanePoint>& at_rest,
                             const Sides<double>& radius);
 
+/// Rim of a wheel with this rolling radius [m] at a rotation about its axle [rad], WheelsetState::pitch.
+WheelRim rimAt(const OutOfRound& shape, double radius, double pitch);
+
 /// Lateral position of the centre between displaced rails, left positive [m].
 double middleOf(const Sides<RailDeflection>& displaced);
 

@@ -54,6 +54,11 @@ void validate(const WheelsetConfig& wheelset)
   {
     requireLength(optionOf(wheelset.rolling_radius, side, "wheelset/rolling_radius", "wheel", "rolling_radius"),
                   wheelset.rolling_radius[side], rolling_radii);
+    if (wheelset.out_of_round[side])
+    {
+      validate(*wheelset.out_of_round[side], wheelset.rolling_radius[side],
+               std::string("wheel/") + nameOf(side) + "/out_of_round");
+    }
   }
   requireLength("wheelset/flange_back_distance", wheelset.flange_back_distance, gauges);
   requireLength("wheelset/tape_circle", wheelset.tape_circle, tape_circles);

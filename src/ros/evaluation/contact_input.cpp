@@ -196,6 +196,7 @@ core::WheelsetState toState(const ContactInput& input, const std::string& track_
   state.z = wheelset.z;
   state.yaw = wheelset.yaw;
   state.roll = wheelset.roll;
+  state.pitch = pitchOf(pose, wheelset);
   if (input.load)
   {
     setLoad(*input.load, track_frame, state);

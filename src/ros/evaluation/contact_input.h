@@ -33,8 +33,8 @@ bool isFrameName(const std::string& name);
 /// State of the wheelset in the track frame, for the core.
 ///
 /// Pose: in the track frame, or in a frame that tf can transform to the track frame at the stamp of the pose. The
-/// length of the quaternion must be 1 within 1e-3; it is normalised. The rotation about the axle is ignored
-/// (toWheelsetPose()).
+/// length of the quaternion must be 1 within 1e-3; it is normalised. The rotation about the axle, pitchOf(), matters
+/// only for wheels that are not round.
 ///
 /// Load: force and moment on the axle centre in track axes; frame_id must be empty or the track frame.
 ///

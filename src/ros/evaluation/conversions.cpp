@@ -185,6 +185,12 @@ core::WheelsetPose toWheelsetPose(const Eigen::Isometry3d& pose)
           std::asin(std::clamp(axle.z(), -1.0, 1.0))};
 }
 
+double pitchOf(const Eigen::Isometry3d& pose, const core::WheelsetPose& wheelset)
+{
+  const Eigen::Vector3d forward(std::cos(wheelset.yaw), std::sin(wheelset.yaw), 0);
+  return std::atan2(forward.dot(pose.linear().col(2)), forward.dot(pose.linear().col(0)));
+}
+
 bool hasPose(const geometry_msgs::Pose& pose)
 {
   const auto& o = pose.orientation;

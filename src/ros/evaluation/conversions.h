@@ -22,10 +22,12 @@ core::ContactStatus statusFromMessage(std::uint8_t status);
 /// True if a result with this status constant is usable: OK or LIFT_OFF.
 bool isUsable(std::uint8_t status);
 
-/// Wheelset pose from a pose in the track frame. Wheels are bodies of revolution, so only the direction (ax, ay, az) of
-/// the axle matters: roll = asin(az), yaw = atan2(-ax, ay). For the orientation Rz(yaw) Rx(roll) Ry(rotation about the
-/// axle) these are the fixed-axis angles.
+/// Wheelset pose from a pose in the track frame. Only the direction (ax, ay, az) of the axle matters: roll = asin(az),
+/// yaw = atan2(-ax, ay). For the orientation Rz(yaw) Rx(roll) Ry(rotation about the axle) these are the fixed-axis
+/// angles.
 core::WheelsetPose toWheelsetPose(const Eigen::Isometry3d& pose);
+/// Rotation about the axle in that orientation, positive as the wheelset rolls forward [rad].
+double pitchOf(const Eigen::Isometry3d& pose, const core::WheelsetPose& wheelset);
 /// True if a message has a pose. Without one, all its numbers are zero, also those of the quaternion.
 bool hasPose(const geometry_msgs::Pose& pose);
 /// Rotation as a message.

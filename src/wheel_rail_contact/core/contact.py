@@ -40,7 +40,7 @@ class WheelsetContact:
                           stacklevel=2)
 
     def evaluate(self, *, y=0.0, yaw=0.0, force_z=None, torque_x=0.0, z=None, roll=0.0, x=0.0, distance=None,
-                 rail_lateral_force=None, rail_displacement=None, twist=None, rail_velocity=None):
+                 rail_lateral_force=None, rail_displacement=None, twist=None, rail_velocity=None, pitch=0.0):
         """Evaluates one state. The calculation starts from the previous result, which saves time; see reset().
 
         y: lateral displacement of the axle centre, to the left positive [m]
@@ -70,6 +70,7 @@ class WheelsetContact:
             rotation: about the axle, positive when it rolls forward [rad/s]. Required with creep/rotation: topic, else not used
         rail_velocity: (2, 3) velocities of the rails by their vibration; rows and columns as in rail_displacement [m/s, m/s,
             rad/s]; default: 0. Refused without creep/method
+        pitch: rotation about the axle, positive as it rolls forward [rad]; used only with wheels that are not round
 
         Returns a WheelsetResult: a value of its own, which later calls do not change. A state that is out of range, or
         without a solution, is no error: see its status and status_text.
@@ -81,8 +82,8 @@ class WheelsetContact:
         return self._model.evaluate(table(self._model, arguments, ONE))
 
     def evaluate_many(self, *, y=0.0, yaw=0.0, force_z=None, torque_x=0.0, z=None, roll=0.0, x=0.0, distance=None,
-                      rail_lateral_force=None, rail_displacement=None, twist=None, rail_velocity=None, threads=None,
-                      results=False):
+                      rail_lateral_force=None, rail_displacement=None, twist=None, rail_velocity=None, pitch=0.0,
+                      threads=None, results=False):
         """Evaluates n states on several threads, without the lock of the interpreter. Ctrl-C ends the evaluation.
 
         Each state starts cold, as after reset(): a result depends neither on the other states nor on the number of threads. The

@@ -10,7 +10,7 @@ from .units import KINDS, UNITS, names_of, unit_of
 # Name in the table -> (field of a State, kind of unit, sign in railway axes: x forward, y right, z down).
 COLUMNS = {
     "x": ("x", "length", 1), "y": ("y", "length", -1), "z": ("z", "length", -1),
-    "roll": ("roll", "angle", 1), "yaw": ("yaw", "angle", -1),
+    "roll": ("roll", "angle", 1), "pitch": ("pitch", "angle", -1), "yaw": ("yaw", "angle", -1),
     "force_z": ("force_z", "force", -1), "torque_x": ("torque_x", "torque", 1),
     # On the rail, outward positive in both systems of axes.
     "Y_left": ("left_lateral_force", "force", 1), "Y_right": ("right_lateral_force", "force", 1),

@@ -56,6 +56,7 @@ class State:
     right_rail_lateral_velocity: Optional[float] = None
     right_rail_vertical_velocity: Optional[float] = None
     right_rail_roll_rate: Optional[float] = None
+    pitch: Optional[float] = None   # angle about the axle, positive as the wheelset rolls forward
 
 
 def stamp_of(time_ns):
@@ -71,10 +72,11 @@ def _header(message, state):
 def _pose(state):
     message = _header(PoseStamped(), state)
     message.pose.position.x, message.pose.position.y, message.pose.position.z = state.x, state.y, state.z
-    # rotation Rz(yaw) Rx(roll)
-    cr, sr, cy, sy = (f(a / 2) for a in (state.roll, state.yaw) for f in (math.cos, math.sin))
+    # rotation Rz(yaw) Rx(roll) Ry(pitch)
+    cr, sr, cy, sy, cp, sp = (f(a / 2) for a in (state.roll, state.yaw, state.pitch or 0.0) for f in (math.cos, math.sin))
     q = message.pose.orientation
-    q.x, q.y, q.z, q.w = cy * sr, sy * sr, sy * cr, cy * cr
+    x, y, z, w = cy * sr, sy * sr, sy * cr, cy * cr
+    q.x, q.y, q.z, q.w = x * cp - z * sp, y * cp + w * sp, z * cp + x * sp, w * cp - y * sp
     return message
 
 
@@ -163,15 +165,15 @@ def read_bag(path, wheelset="", remarks=None):
         stamp = message.header.stamp.to_nsec()
         left_out[f"{kind}: no pose with the same stamp"] += stamp not in states
         _add(states.get(stamp), kind, message)
-    _forget_velocities_of_still_rails(states.values())
+    _forget_zeros(states.values())
     if remarks is not None:
         remarks += [f"{count} left out, {reason}" for reason, count in left_out.items() if count]
     return [states[time] for time in sorted(states)]
 
 
-def _forget_velocities_of_still_rails(states):
-    """A message has these velocities even if they are not known: zero."""
-    for name in (f"{side}_rail_{velocity}" for side in SIDES for velocity in RAIL_VELOCITY):
+def _forget_zeros(states):
+    """A message has the pitch and the velocities of the rails even if they are not known: zero."""
+    for name in ("pitch", *(f"{side}_rail_{velocity}" for side in SIDES for velocity in RAIL_VELOCITY)):
         if not any(getattr(state, name) for state in states):
             for state in states:
                 setattr(state, name, None)
@@ -189,8 +191,11 @@ def _messages(path, prefix):
 def _state_of(message):
     position, q = message.pose.position, message.pose.orientation
     axle = (2 * (q.x * q.y - q.w * q.z), 1 - 2 * (q.x**2 + q.z**2), 2 * (q.y * q.z + q.w * q.x))
-    return State(message.header.stamp.to_nsec(), position.x, position.y, position.z,
-                 roll=math.asin(max(-1.0, min(1.0, axle[2]))), yaw=math.atan2(0.0 - axle[0], axle[1]))
+    yaw = math.atan2(0.0 - axle[0], axle[1])
+    along = [math.cos(yaw) * x + math.sin(yaw) * y for x, y in (  # x and z axis of the pose, along the running direction
+        (1 - 2 * (q.y**2 + q.z**2), 2 * (q.x * q.y + q.w * q.z)), (2 * (q.x * q.z + q.w * q.y), 2 * (q.y * q.z - q.w * q.x)))]
+    return State(message.header.stamp.to_nsec(), position.x, position.y, position.z, yaw=yaw,
+                 roll=math.asin(max(-1.0, min(1.0, axle[2]))), pitch=round(math.atan2(along[1], along[0]), 12))
 
 
 def _add(state, kind, message):

@@ -3,7 +3,7 @@
 
 using namespace wheel_rail_contact::core;
 
-// Contact on rails whose surface rises, falls or bends along the track.
+// Contact on rails whose surface rises, falls or bends along the track, and of wheels that are not round.
 namespace
 {
 /// Radius of both wheels [m].
@@ -32,6 +32,28 @@ ContactModelConfig sceneOn(const Course& course)
   return scene;
 }
 
+/// Polygon of the wheels, and its phase per length [rad/m].
+constexpr int wave_order = 20;
+constexpr double wave_height = 0.1e-3, wave_number = wave_order / 0.46;
+const OutOfRound polygon{{}, {{wave_order, wave_height, 0}}, {}};
+
+/// Result at a pitch of a scene in which both wheels are the same, under a load or at a height.
+WheelsetResult turned(WheelsetState state, double pitch, const OutOfRound& wheel = polygon,
+                      ContactModelConfig scene = fineScene())
+{
+  state.pitch = pitch;
+  scene.wheelset.out_of_round = std::make_shared<const OutOfRound>(wheel);
+  scene.wheelset.solve_height_and_roll = state.force_z != 0;
+  WheelsetContact contact(scene);
+  return okResult(contact, state);
+}
+
+/// Rise of the undeformed left wheel over that of another result [m].
+double liftOf(const WheelsetResult& result, const WheelsetResult& other)
+{
+  return result.z - other.z + result.patches[0].approach - other.patches[0].approach;
+}
+
 /// Results of the same state on the line and on prisms that lie as its rails do at the place.
 struct Pair
 {
@@ -47,7 +69,7 @@ struct Pair
 
   const PatchResult& patch() const { return line.patches[0]; }
   /// Rise of the undeformed wheel on the line over that on the prism [m].
-  double lift() const { return line.z - prism.z + patch().approach - prism.patches[0].approach; }
+  double lift() const { return liftOf(line, prism); }
 
   WheelsetResult line, prism;
 };
@@ -162,4 +184,86 @@ TEST(RailShapeTest, EdgesThatTheSecondOrderDoesNotShowCarryTheWheel)
   // A smooth one has no warning.
   const Pair smooth(levelled([](double x) { return 0.3e-3 * std::sin(20 * x); }), 0.03, stateAt(0, wheel_load));
   EXPECT_EQ(smooth.line.reason, smooth.prism.reason);
+}
+
+TEST(WheelRimTest, PolygonFollowsItsSecondOrderUnderALoadAndAtAHeight)
+{
+  const WheelsetResult round = turned(stateAt(0, wheel_load), 0, {});
+  for (const double phase : {0.0, 0.8, 2.0, 4.0})
+  {
+    const WheelsetResult result = turned(stateAt(0, wheel_load), phase / wave_order);
+    const PatchResult &patch = result.patches[0], &before = round.patches[0];
+    const double value = wave_height * std::sin(phase), slope = wave_height * wave_number * std::cos(phase),
+                 x = patch.pose.x;
+    const double curvature = 1 / radius() + wave_number * wave_number * value,
+                 rise = value + slope * slope / (2 * curvature);
+    // The slope over a contact is smaller by (5 mm * wave_number)² / 6 = 0.8 %.
+    EXPECT_NEAR(liftOf(result, round), rise, 0.15e-6) << phase;
+    EXPECT_NEAR(x, slope / curvature, 0.02e-3) << phase;
+    EXPECT_NEAR(patch.wheel_angle, x / radius(), 1e-5) << phase;
+    EXPECT_NEAR(patch.curvature_along - before.curvature_along, curvature - 1 / radius(), 0.003) << phase;
+    EXPECT_NEAR(patch.rolling_radius - before.rolling_radius, wave_height * std::sin(phase + wave_number * x), 1e-6)
+        << phase;
+    // The rail is level: its force is vertical, and has a moment about the axle.
+    EXPECT_NEAR(result.rail_wrench.force.x(), 0, 1e-9);
+    EXPECT_NEAR(result.rail_wrench.moment.y(), -2 * x * wheel_load, 0.5) << phase;
+    EXPECT_EQ(result.reason, round.reason);
+    // At a height, it is a round wheel with its curvature, lower by the rise.
+    ContactModelConfig other = fineScene();
+    other.wheelset.rolling_radius = 1 / curvature;
+    const double z = round.z - 20e-6, down = rise + radius() - 1 / curvature;
+    const double force = turned(heldAt(0, z - down), 0, {}, other).wheel.left.vertical;
+    EXPECT_NEAR(turned(heldAt(0, z), phase / wave_order).wheel.left.vertical, force, 0.01 * force);
+  }
+}
+
+TEST(WheelRimTest, PolygonIsARailWithTheSameWave)
+{
+  const ContactModelConfig rails = sceneOn(levelled([](double x) { return wave_height * std::sin(wave_number * x); }));
+  for (const double phase : {0.4, 1.2, 2.5, -2.0})
+  {
+    WheelsetState state = stateAt(0.003, wheel_load, 0.004);
+    state.distance = phase / wave_number;
+    const WheelsetResult line = turned(state, 0, {}, rails), wheel = turned(state, phase / wave_order);
+    EXPECT_NEAR(wheel.z, line.z, 0.1e-6) << phase;
+    EXPECT_NEAR(wheel.roll, line.roll, 1e-7) << phase;
+    for (std::size_t k = 0; k < line.patches.size(); ++k)
+    {
+      EXPECT_LT(difference(wheel.patches.at(k), line.patches[k]), 0.003) << phase;
+      EXPECT_NEAR(wheel.patches[k].pose.x, line.patches[k].pose.x, 0.03e-3) << phase;
+    }
+  }
+}
+
+TEST(WheelRimTest, EdgesOfAFlatCarryTheWheelInAndOutOfIt)
+{
+  constexpr double depth = 0.44e-3, middle = 3;
+  const double half = std::acos(1 - depth / radius());  // its angle
+  const WheelsetResult round = turned(stateAt(0, wheel_load), 0, {});
+  for (const double ahead : {0.1, 0.03, 0.01, 0.0, -0.01, -0.03, -0.1})
+  {
+    const WheelsetResult result = turned(stateAt(0, wheel_load), middle - ahead, {{}, {}, {{middle, depth}}});
+    const double edge = std::max(half - std::abs(ahead), 0.0), place = ahead > 0 ? -edge : ahead < 0 ? edge : 0;
+    EXPECT_NEAR(liftOf(result, round), radius() * (std::cos(edge) - 1), 0.5e-6) << ahead;
+    EXPECT_NEAR(result.patches[0].pose.x, radius() * place, 0.05e-3) << ahead;
+    EXPECT_EQ(result.reason.find("left wheel has an edge") != std::string::npos, edge > 0) << result.reason;
+  }
+}
+
+TEST(WheelRimTest, MeasuredRimIsPeriodicAndThatOfTheWavesInIt)
+{
+  const OutOfRound waves{{}, {{3, wave_height, 0}}, {}};
+  OutOfRound measured;
+  for (double angle = 0.3; angle < 0.3 + 2 * M_PI - 0.01; angle += M_PI / 180)
+  {
+    measured.table.push_back({angle, waves.at(angle, radius())});
+  }
+  for (double angle = -7; angle < 7; angle += 0.37)
+  {
+    EXPECT_NEAR(measured.at(angle + 8 * M_PI, radius()), waves.at(angle, radius()), 0.2e-6);
+  }
+  const WheelsetResult one = turned(stateAt(0, wheel_load), 0.4, measured);
+  const WheelsetResult other = turned(stateAt(0, wheel_load), 0.4 - 6 * M_PI, waves);
+  EXPECT_NEAR(one.z, other.z, 0.2e-6);
+  EXPECT_NEAR(one.patches[0].pose.x, other.patches[0].pose.x, 0.1e-3);
 }
