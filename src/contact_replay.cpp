@@ -66,15 +66,14 @@ ExitStatus run(const wheel_rail_contact::ReplayOptions& options)
   if (replay.results() == 0 && options.span.isWhole())
   {
     std::cerr << "contact_replay: " << options.input << ": contains no pair of pose and load; " << replay.poses()
-              << " poses were dropped" << replay.matchingHint() << '\n';
+              << " poses were dropped, for the reasons above\n";
     removeOutputs(options);
     return failed;
   }
   if (replay.lacksMostResults())
   {
     std::cerr << "contact_replay: " << options.input << ": only " << replay.resultsOfUsableInput() << " of "
-              << replay.poses() << " poses have a result of usable input"
-              << (replay.resultsOfUsableInput() == replay.results() ? replay.matchingHint() : "") << '\n';
+              << replay.poses() << " poses have a result of usable input\n";
     return few_results;
   }
   if (const std::string doubt = replay.loadDoubt(); !doubt.empty())

@@ -339,16 +339,6 @@ std::uint32_t Replay::keptConnection(const ReplayItem& item)
   return found->second;
 }
 
-std::string Replay::matchingHint() const
-{
-  std::string hint;
-  for (std::size_t i = 0; hint.empty() && i < options_.inputs.wheelsets.size(); ++i)
-  {
-    hint = wheel_rail_contact::matchingHint(source_.pairing(i));
-  }
-  return hint;
-}
-
 void Replay::printSummary(std::ostream& out) const
 {
   const std::uint64_t evaluated = results_ - results_before_;

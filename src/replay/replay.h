@@ -46,8 +46,6 @@ class Replay
   std::uint64_t poses() const { return results_ + source_.droppedPoses(); }
   /// Number of results whose input is usable, including those of the resumed bag; see ResultCounts::unusableInputs().
   std::uint64_t resultsOfUsableInput() const { return results_ - counts_.unusableInputs(); }
-  /// Hint on the poses that were dropped, see matchingHint(): of the first wheelset that has one.
-  std::string matchingHint() const;
   /// Reason to doubt the loads of this run; empty if there is none.
   std::string loadDoubt() const { return loads_.doubt(config_.model.wheelset); }
   /// True if fewer than half of the poses of a whole bag have a result of usable input.

@@ -7,8 +7,8 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "ros/evaluation/contact_statistics.h"
+#include "ros/markers/marker_tools.h"
 #include "ros/markers/rail_motion.h"
-#include "ros/markers/scene_colors.h"
 #include "ros/markers/stress_section.h"
 #include "ros/parameters/node_parameters.h"
 

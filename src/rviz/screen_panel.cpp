@@ -10,7 +10,7 @@
 #include <QFontMetrics>
 #include <QPainter>
 
-#include "ros/markers/scene_colors.h"
+#include "ros/markers/marker_tools.h"
 
 namespace wheel_rail_contact
 {

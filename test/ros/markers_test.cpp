@@ -2,7 +2,6 @@
 #include "result_scene.h"
 #include "ros/markers/contact_scene.h"
 #include "ros/markers/marker_tools.h"
-#include "ros/markers/scene_colors.h"
 #include "ros/markers/track_markers.h"
 
 using namespace wheel_rail_contact;

@@ -3,7 +3,7 @@
 
 #include "result_scene.h"
 #include "ros/markers/contact_scene.h"
-#include "ros/markers/scene_colors.h"
+#include "ros/markers/marker_tools.h"
 
 using namespace wheel_rail_contact;
 namespace

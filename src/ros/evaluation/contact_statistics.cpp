@@ -77,18 +77,14 @@ const char* statusName(std::uint8_t status)
   return nameOf(static_cast<core::ContactStatus>(status));
 }
 
-std::string matchingHint(const PairingCounts& counts)
-{
-  return counts.smallest_miss == std::numeric_limits<std::int64_t>::max()
-             ? ""
-             : formatted(", the stamps differ by %.3g s or more: see sync/slop, or sync/load for loads of another rate",
-                         1e-9 * static_cast<double>(counts.smallest_miss));
-}
-
 std::string dropText(DropReason reason, const PairingCounts& counts)
 {
+  const bool has_difference = counts.smallest_miss < std::numeric_limits<std::int64_t>::max();
+  const std::string hint =
+      formatted(", the stamps differ by %.3g s or more: see sync/slop, or sync/load for loads of another rate",
+                1e-9 * static_cast<double>(counts.smallest_miss));
   return drop_names.at(static_cast<std::size_t>(reason)) +
-         (reason == DropReason::unmatched ? matchingHint(counts) : std::string());
+         (reason == DropReason::unmatched && has_difference ? hint : std::string());
 }
 
 void ContactStatistics::count(const ContactOutput& output)

@@ -15,10 +15,8 @@ namespace wheel_rail_contact
 {
 /// Name of a status constant, as in the message WheelsetContact.
 const char* statusName(std::uint8_t status);
-/// Hint on messages without a match: how much their stamps differ at least, and the parameters that help. Empty if no
-/// two stamps differed.
-std::string matchingHint(const PairingCounts& counts);
-/// Text for the log and the output of a replay, with the hint.
+/// Text for the log and the output of a replay. For messages without a match, with the smallest difference of two
+/// stamps and the parameters that help.
 std::string dropText(DropReason reason, const PairingCounts& counts);
 
 /// Numbers of service requests of a node since its start.

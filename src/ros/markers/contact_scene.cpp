@@ -5,7 +5,6 @@
 #include "ros/markers/marker_tools.h"
 #include "ros/markers/pressure_scale.h"
 #include "ros/markers/rail_motion.h"
-#include "ros/markers/scene_colors.h"
 #include "ros/markers/stress_section.h"
 
 namespace wheel_rail_contact

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/markers/marker_tools.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "ros/evaluation/conversions.h"
@@ -12,6 +14,22 @@ using visualization_msgs::Marker;
 
 namespace
 {
+using Polynomial = std::array<double, 7>;  ///< coefficients of t^0 ... t^6
+
+constexpr Polynomial red{0.2745, 0.1077, -0.3272, -4.5999, 6.2037, 4.7518, -5.4321};
+constexpr Polynomial green{0.0058, 1.3965, 0.2148, -5.7582, 14.154, -13.7494, 4.6416};
+constexpr Polynomial blue{0.3327, 1.3868, 0.092, -19.2918, 56.6563, -65.321, 26.2721};
+
+double evaluate(const Polynomial& polynomial, double t)
+{
+  double value = 0;
+  for (auto coefficient = polynomial.rbegin(); coefficient != polynomial.rend(); ++coefficient)
+  {
+    value = value * t + *coefficient;
+  }
+  return std::clamp(value, 0.0, 1.0);
+}
+
 /// Colour of a surface under light from above.
 std_msgs::ColorRGBA shaded(std_msgs::ColorRGBA color, const Vector3d& normal)
 {
@@ -32,6 +50,12 @@ std_msgs::ColorRGBA makeColor(double r, double g, double b, double a)
   color.b = static_cast<float>(b);
   color.a = static_cast<float>(a);
   return color;
+}
+
+std_msgs::ColorRGBA colorOf(double value)
+{
+  const double t = value > 0 ? std::min(value, 1.0) : 0.0;  // 0 for NaN
+  return makeColor(evaluate(red, t), evaluate(green, t), evaluate(blue, t));
 }
 
 geometry_msgs::Point toPoint(const Eigen::Vector3d& p)

@@ -6,7 +6,6 @@
 #include <cstdio>
 
 #include "ros/markers/marker_tools.h"
-#include "ros/markers/scene_colors.h"
 
 namespace wheel_rail_contact
 {

@@ -3,7 +3,6 @@
 
 #include "config/text.h"
 #include "ros/markers/marker_tools.h"
-#include "ros/markers/scene_colors.h"
 
 namespace wheel_rail_contact
 {

@@ -9,7 +9,6 @@
 
 #include "core/balance/rail_support.h"
 #include "ros/markers/marker_tools.h"
-#include "ros/markers/scene_colors.h"
 #include "ros/markers/track_markers.h"
 
 namespace wheel_rail_contact

@@ -7,7 +7,6 @@
 #include "core/constants.h"
 #include "ros/evaluation/conversions.h"
 #include "ros/markers/marker_tools.h"
-#include "ros/markers/scene_colors.h"
 
 namespace wheel_rail_contact
 {
