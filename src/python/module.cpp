@@ -5,7 +5,7 @@
 
 namespace
 {
-/// Classes that Python cannot construct get no empty object by `__new__` either.
+/// Classes that Python cannot construct get no empty object by `__new__` either. Base classes would pass this on.
 void refuseEmptyObjects(const pybind11::module& module)
 {
   const pybind11::cpp_function refuse([](const pybind11::args& /*any*/, const pybind11::kwargs& /*any*/)
@@ -13,7 +13,8 @@ void refuseEmptyObjects(const pybind11::module& module)
   for (const auto& [name, value] : module.attr("__dict__").cast<pybind11::dict>())
   {
     const bool is_class = PyType_Check(value.ptr()) != 0 && PyObject_IsSubclass(value.ptr(), PyExc_Exception) == 0;
-    if (is_class && Py_TYPE(value.attr("__init__").ptr()) == &PyWrapperDescr_Type)
+    if (is_class && Py_TYPE(value.attr("__init__").ptr()) == &PyWrapperDescr_Type &&
+        pybind11::len(value.attr("__subclasses__")()) == 0)
     {
       pybind11::setattr(value, "__new__", pybind11::staticmethod(refuse));
     }
