@@ -270,17 +270,16 @@ class WheelsetContact::Calculation
   /// Adds forces beyond the plausible bound to the reason.
   void addImplausibleForces()
   {
-    const double scale = modelScale(config_.track, config_.wheelset), largest = plausible_force * scale * scale;
     for (const Side side : sides)
     {
       const WheelForces& wheel = result_.wheel[side];
       const double force = std::hypot(wheel.vertical, wheel.lateral);
-      if (force > largest)
+      if (force > largest_force_)
       {
         result_.implausible_force = true;
         result_.reason += (result_.reason.empty() ? "" : "; ") +
-                          formatted("implausible force of the %s wheel: %.3g MN, above %.3g MN",
-                                    side == Side::left ? "left" : "right", 1e-6 * force, 1e-6 * largest);
+                          formatted("implausible force of the %s wheel: %.3g MN, above %.3g MN", nameOf(side),
+                                    1e-6 * force, 1e-6 * largest_force_);
       }
     }
   }
@@ -331,6 +330,7 @@ class WheelsetContact::Calculation
   ContactModelConfig config_;
   GridLevels levels_;
   WheelsetBalance balance_;
+  double largest_force_ = plausible_force * std::pow(modelScale(config_.track, config_.wheelset), 2);  ///< [N]
   ContactFriction friction_;
   StressBeneath stress_;
   std::optional<WheelsetBalance> other_;  ///< searches for other equilibria

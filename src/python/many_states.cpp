@@ -216,7 +216,7 @@ void bindMany(py::module& module)
       .def_readonly("above_tolerance", &ManyResults::above_tolerance,
                     "(n,) the estimated error of a wheel is above contact/tolerance")
       .def_readonly("implausible_force", &ManyResults::implausible_force,
-                    "(n,) the contact force of a wheel is above 1 MN")
+                    "(n,) the contact force of a wheel is above 1 MN, of a model less")
       .def_readonly("z", &ManyResults::z, "(n,) height of the axle centre [m]")
       .def_readonly("roll", &ManyResults::roll, "(n,) roll of the axle, positive if left is raised [rad]")
       .def_readonly("patches", &ManyResults::patches, "(n, 2) number of patches")

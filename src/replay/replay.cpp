@@ -10,6 +10,7 @@
 #include <ostream>
 
 #include "core/option_check.h"
+#include "replay/result_connection.h"
 
 namespace wheel_rail_contact
 {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "replay/result_connection.h"
+
 #include <ros/message_traits.h>
 
 #include <algorithm>

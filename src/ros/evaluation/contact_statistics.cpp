@@ -79,12 +79,13 @@ const char* statusName(std::uint8_t status)
 
 std::string dropText(DropReason reason, const PairingCounts& counts)
 {
-  const bool has_difference = counts.smallest_miss < std::numeric_limits<std::int64_t>::max();
-  const std::string hint =
-      formatted(", the stamps differ by %.3g s or more: see sync/slop, or sync/load for loads of another rate",
-                1e-9 * static_cast<double>(counts.smallest_miss));
-  return drop_names.at(static_cast<std::size_t>(reason)) +
-         (reason == DropReason::unmatched && has_difference ? hint : std::string());
+  std::string text = drop_names.at(static_cast<std::size_t>(reason));
+  if (reason == DropReason::unmatched && counts.smallest_miss < std::numeric_limits<std::int64_t>::max())
+  {
+    text += formatted(", the stamps differ by %.3g s or more: see sync/slop, or sync/load for loads of another rate",
+                      1e-9 * static_cast<double>(counts.smallest_miss));
+  }
+  return text;
 }
 
 void ContactStatistics::count(const ContactOutput& output)

@@ -85,8 +85,6 @@ std::vector<CorrespondingPlaces> placesOf(const RailSection& a, const RailSectio
   return places;
 }
 
-using ProfilePair = std::pair<const Profile*, const Profile*>;
-
 /// Curves between a section and the next one; null if both are the same profile.
 std::shared_ptr<const SectionBlend> blendOf(const RailSeries& series, std::size_t index, const std::string& part)
 {
@@ -117,13 +115,13 @@ RailSections::RailSections(std::vector<RailSeries> parts, Placement placement)
     const std::string part = "part " + std::to_string(k + 1) + " of a rail";
     check(series, part);
     blends_.emplace_back();
-    std::map<ProfilePair, std::shared_ptr<const SectionBlend>> known;  // of profiles that follow each other repeatedly
+    // Of profiles that follow each other repeatedly.
+    std::map<std::pair<const Profile*, const Profile*>, std::shared_ptr<const SectionBlend>> known;
     for (std::size_t i = 0; i + 1 < series.size(); ++i)
     {
-      const ProfilePair pair(series[i].profile.get(), series[i + 1].profile.get());
-      const auto found = series[i].places.empty() ? known.find(pair) : known.end();
-      blends_.back().push_back(found != known.end() ? found->second : blendOf(series, i, part));
-      known[pair] = blends_.back().back();
+      std::shared_ptr<const SectionBlend>& blend = known[{series[i].profile.get(), series[i + 1].profile.get()}];
+      blend = blend && series[i].places.empty() ? blend : blendOf(series, i, part);
+      blends_.back().push_back(blend);
     }
   }
   checkPlacement();
