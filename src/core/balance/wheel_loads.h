@@ -45,8 +45,8 @@ class WheelLoads
   /// Open moment about the axle centre [N m].
   /// @param moments  of the contacts about the axle centre, positive if they lift their wheel [N m]
   double openMoment(const Sides<double>& moments) const { return torque_ + (moments.left - moments.right); }
-  /// True if a wheel is lifted, and the moments return it to its rail.
-  bool returnWheel(const Sides<double>& loads, const Sides<double>& moments) const;
+  /// True if a wheel is lifted, and the moments return it to its rail with more than a load [N].
+  bool returnWheel(const Sides<double>& loads, const Sides<double>& moments, double load) const;
 
  private:
   bool by_moments_ = false;

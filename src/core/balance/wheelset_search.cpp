@@ -337,7 +337,9 @@ WheelStatus WheelsetSearch::solve(Start start)
       continue;
     }
     last = place_;
-    const bool returning = i < tuning::most_solutions / 2 && loads_.returnWheel(place_.loads, place_.moments);
+    // A late search leaves a wheel lifted if it would return with less than the jumps of the forces.
+    const double ignored = i < tuning::most_solutions / 2 ? 0 : 0.5 * tuning::jump_share * accuracy_ * loads_.sum();
+    const bool returning = loads_.returnWheel(place_.loads, place_.moments, ignored);
     if (returning && takesLoad())
     {
       bracket = {};

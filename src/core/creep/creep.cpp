@@ -34,11 +34,6 @@ bool isValid(const FrictionLaw& law)
          law.slip_decay >= 0 && std::isfinite(law.slip_decay);
 }
 
-bool isPositiveNumber(double value)
-{
-  return value > 0 && std::isfinite(value);
-}
-
 bool isFinite(const Creepage& creepage)
 {
   return std::isfinite(creepage.x) && std::isfinite(creepage.y) && std::isfinite(creepage.spin);
@@ -47,7 +42,7 @@ bool isFinite(const Creepage& creepage)
 bool isValid(const CreepProblem& problem)
 {
   return isFinite(problem.creepage) && std::all_of(problem.columns.begin(), problem.columns.end(), isFinite) &&
-         std::isfinite(problem.speed) && isPositiveNumber(problem.elasticity.modulus) &&
+         std::isfinite(problem.speed) && problem.elasticity.modulus > 0 && std::isfinite(problem.elasticity.modulus) &&
          problem.elasticity.poisson >= 0 && problem.elasticity.poisson <= 0.5 && problem.normal_force >= 0 &&
          std::isfinite(problem.normal_force) && isValid(problem.friction);
 }
@@ -56,21 +51,18 @@ bool isValid(const CreepProblem& problem)
 void sumColumns(const CreepProblem& problem, CreepSolution& solution)
 {
   solution.force = {};
+  double limit = 0, work = 0;
   for (int j = 0; j < problem.grid.ny; ++j)
   {
     const CreepForce& force = solution.columns[static_cast<std::size_t>(j)];
     solution.force.x += force.x;
     solution.force.y += force.y;
     solution.force.moment += force.moment - problem.grid.y(j) * force.x;
+    limit += solution.limits[static_cast<std::size_t>(j)];
+    work += workOf(force, creepageOf(problem, j));
   }
-  const CreepSums sums = sumOf(problem, solution, 0, solution.columns.size());
-  solution.friction = sums.limit / problem.normal_force;
-  solution.power = std::abs(problem.speed) * sums.work;
-}
-
-bool hasFriction(const CreepProblem& problem, double friction)
-{
-  return problem.speed != 0 && friction * problem.normal_force > 0;
+  solution.friction = limit / problem.normal_force;
+  solution.power = std::abs(problem.speed) * work;
 }
 }  // namespace
 
@@ -164,7 +156,7 @@ void CreepSolver::solve(const CreepProblem& problem, bool warm, CreepSolution& s
   {
     return;
   }
-  if (!hasFriction(problem, solution.friction))
+  if (problem.speed == 0 || !(solution.friction * problem.normal_force > 0))
   {
     solution.status = CreepStatus::no_slip;
     solution.traction_x.resize(0, 0);

@@ -54,17 +54,6 @@ double frictionOf(const CreepProblem& problem, int column)
   return problem.friction.at(slipVelocity(problem.speed, creepage));
 }
 
-CreepSums sumOf(const CreepProblem& problem, const CreepSolution& solution, std::size_t first, std::size_t end)
-{
-  CreepSums sums;
-  for (std::size_t j = first; j < std::min(end, solution.columns.size()); ++j)
-  {
-    sums.limit += solution.limits[j];
-    sums.work += workOf(solution.columns[j], creepageOf(problem, static_cast<int>(j)));
-  }
-  return sums;
-}
-
 double pressureScale(const CreepProblem& problem)
 {
   return problem.normal_force / (problem.pressure.sum() * problem.grid.cellArea());

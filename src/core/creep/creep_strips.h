@@ -31,13 +31,6 @@ inline double workOf(const CreepForce& force, const Creepage& creepage)
   return -(force.x * creepage.x + force.y * creepage.y + force.moment * creepage.spin);
 }
 
-/// Friction limit and workOf() of columns of a solution [N].
-struct CreepSums
-{
-  double limit = 0, work = 0;
-};
-CreepSums sumOf(const CreepProblem& problem, const CreepSolution& solution, std::size_t first, std::size_t end);
-
 /// Factor of the pressures that makes their sum the normal force [-].
 double pressureScale(const CreepProblem& problem);
 

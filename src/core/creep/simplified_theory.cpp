@@ -2,7 +2,10 @@
 #include "core/creep/simplified_theory.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "core/simd/wide.h"
 
 namespace wheel_rail_contact::core
 {
@@ -19,48 +22,56 @@ constexpr double sliding_demand = 3;
 constexpr double fastsim_error = 0.1, fastsim_spin_error = 0.2;
 constexpr double linear_error = 0.1, linear_spin_error = 0.5;
 
-/// Growth of the traction per length on the way through a strip, times -1: (x, y + spin * x) at x. The axes are those
-/// of a wheel that rolls forward. The lateral creepage is that at the centre of pressure, about which the wheel spins:
-/// nothing depends on the place of the grid.
-struct Growth
+/// Strips that are solved side by side, in axes of a wheel that rolls forward.
+struct StripGroup
 {
-  double x = 0, y = 0, spin = 0;
+  static constexpr std::size_t together = 8;
+  using Each = std::array<double, together>;
+
+  std::array<std::size_t, together> column{};
+  /// Growth of the traction per length on the way through a strip, times -1: (growth_x, growth_y + spin * x) at x. The
+  /// lateral creepage is that at the centre of pressure, about which the wheel spins: nothing depends on the place of
+  /// the grid.
+  Each growth_x{}, growth_y{}, spin{};
+  Each centre{}, half{}, peak{};    ///< x of the centre [m], half the length [m], top of the bound [Pa]
+  Each sum_x{}, sum_y{}, moment{};  ///< of the tractions in the steps [Pa], and about z at x = 0 [N/m]
+
+  void set(std::size_t k, const CreepProblem& problem, int at, const CreepStrip& strip, double limit)
+  {
+    const double direction = directionOf(problem);
+    const Creepage creep = creepageOf(problem, at);
+    const Flexibility& flex = strip.flexibility;
+    column[k] = static_cast<std::size_t>(at);
+    spin[k] = creep.spin / flex.spin;
+    growth_x[k] = direction * (strip.creepage_x / flex.x + (creep.x - strip.creepage_x) / flex.spin);
+    growth_y[k] = direction * ((creep.y + creep.spin * strip.middle) / flex.y - strip.middle * spin[k]);
+    centre[k] = direction * strip.centre;
+    half[k] = strip.half;
+    peak[k] = peak_over_mean * limit / (2 * strip.half * problem.grid.dy);
+  }
 };
 
-Growth growthOf(const CreepProblem& problem, int column, const CreepStrip& strip)
+WHEEL_RAIL_CONTACT_WIDE void solveStrips(StripGroup& strips)
 {
-  const double direction = directionOf(problem);
-  const Creepage creep = creepageOf(problem, column);
-  const Flexibility& flex = strip.flexibility;
-  const double lateral = creep.y + creep.spin * strip.middle, spin = creep.spin / flex.spin;
-  return {direction * (strip.creepage_x / flex.x + (creep.x - strip.creepage_x) / flex.spin),
-          direction * (lateral / flex.y - strip.middle * spin), spin};
-}
-
-/// Tractions of a strip, summed along it [N/m], and their moment about z at x = 0 [N]. `x` is the centre of the strip,
-/// `peak` the top of its bound [Pa].
-CreepForce forceOf(const Growth& growth, double x, double half, double peak)
-{
-  const double step = 2 * half / strip_steps;
-  double px = 0, py = 0, sum_x = 0, sum_y = 0, moment = 0;
+  StripGroup::Each px{}, py{};
+  strips.sum_x = strips.sum_y = strips.moment = {};
   for (int i = 0; i < strip_steps; ++i)
   {
-    const double u = 1 - (2 * i + 1.0) / strip_steps;  // from the centre, over the half length
-    const double way = i == 0 ? 0.5 * step : step;
-    px -= growth.x * way;
-    py -= (growth.y + growth.spin * (x + half * u + 0.5 * way)) * way;
-    const double bound = peak * (1 - u * u), square = px * px + py * py;
-    if (square > bound * bound)
+    const double u = 1 - (2 * i + 1.0) / strip_steps, share = (i == 0 ? 1.0 : 2.0) / strip_steps;  // of the half length
+    for (std::size_t k = 0; k < StripGroup::together; ++k)
     {
-      const double scale = bound / std::sqrt(square);
-      px *= scale;
-      py *= scale;
+      const double way = share * strips.half[k], x = strips.centre[k] + u * strips.half[k];
+      px[k] -= strips.growth_x[k] * way;
+      py[k] -= (strips.growth_y[k] + strips.spin[k] * (x + 0.5 * way)) * way;
+      const double bound = strips.peak[k] * (1 - u * u), square = px[k] * px[k] + py[k] * py[k];
+      const double scale = square > bound * bound ? bound / std::sqrt(square) : 1;
+      px[k] *= scale;
+      py[k] *= scale;
+      strips.sum_x[k] += px[k];
+      strips.sum_y[k] += py[k];
+      strips.moment[k] += x * py[k];
     }
-    sum_x += px;
-    sum_y += py;
-    moment += (x + half * u) * py;
   }
-  return {sum_x * step, sum_y * step, moment * step};
 }
 }  // namespace
 
@@ -119,19 +130,29 @@ CreepStatus Fastsim::fill(const CreepProblem& problem, bool /*warm*/, CreepSolut
   solution.columns.assign(strips.size(), {});
   solution.limits.assign(strips.size(), 0);
   double spin = 0, limits = 0;  // sums, of the spin times the load
+  StripGroup group;
+  std::size_t count = 0;
   for (int j = 0; j < problem.grid.ny; ++j)
   {
     const CreepStrip& strip = strips[static_cast<std::size_t>(j)];
     if (strip.force > 0)
     {
       const double limit = frictionOf(problem, j) * strip.force;
-      const double peak = peak_over_mean * limit / (2 * strip.half * width);
-      const CreepForce force = forceOf(growthOf(problem, j, strip), direction * strip.centre, strip.half, peak);
-      solution.columns[static_cast<std::size_t>(j)] = {direction * width * force.x, direction * width * force.y,
-                                                       width * force.moment};
+      group.set(count++, problem, j, strip, limit);
       solution.limits[static_cast<std::size_t>(j)] = limit;
       spin += strip.force * std::abs(creepageOf(problem, j).spin);
       limits += limit;
+    }
+    if (count == StripGroup::together || j + 1 == problem.grid.ny)
+    {
+      solveStrips(group);
+      while (count > 0)
+      {
+        const std::size_t k = --count;
+        const double area = 2 * group.half[k] / strip_steps * width;  // of a step
+        solution.columns[group.column[k]] = {direction * area * group.sum_x[k], direction * area * group.sum_y[k],
+                                             area * group.moment[k]};
+      }
     }
   }
   solution.error_estimate = fastsim_error + fastsim_spin_error * std::min(0.5, reducedSpin(problem, spin / limits));
