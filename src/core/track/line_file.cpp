@@ -8,78 +8,22 @@
 #include "core/text/formatted.h"
 #include "core/text/text_table.h"
 #include "core/text/words.h"
-#include "wheel_rail_contact/core/track.h"
+#include "core/track/line_rows.h"
 
 namespace wheel_rail_contact::core
 {
+using namespace line_quantity;
+
 namespace
 {
 constexpr std::size_t largest_file = std::size_t{256} << 20U;  ///< of a line of some thousand kilometres [bytes]
 constexpr std::size_t longest_row = 100000;                    ///< [bytes]
 constexpr std::size_t most_stations = 2000000;                 ///< 500 km every 0.25 m; about 1 GB while it is read
 constexpr std::size_t longest_word = 100;                      ///< of a title or a filler
-constexpr double largest_value = 0.2;  ///< of a displacement, or a difference from the nominal gauge [m], [rad]
-/// Largest change between two stations: slope [-], and change of any two [share of the gauge], far above those of real
-/// track (1:20 on the worst one, steps of a millimetre). A larger one is a filler for a missing value, or a fault.
-constexpr double steepest = 0.1, step_share = 0.003;
-constexpr double least_filler = 0.005;  ///< change to a value of nines from which it is a filler [m], [rad]
-
-/// Quantities of a table.
-enum Quantity
-{
-  x,
-  gauge,
-  alignment,
-  alignment_left,
-  alignment_right,
-  level,
-  level_left,
-  level_right,
-  cross_level,
-  rail_lateral_left,
-  rail_vertical_left,
-  rail_roll_left,
-  rail_lateral_right,
-  rail_vertical_right,
-  rail_roll_right,
-  columns
-};
-
-struct ColumnRule
-{
-  const char* name;
-  bool is_angle;
-  double railway_sign;  ///< -1: its sign changes in railway axes
-};
-
-constexpr std::array<ColumnRule, columns> rules{{{"x", false, 1},
-                                                 {"gauge", false, 1},
-                                                 {"alignment", false, -1},
-                                                 {"alignment_left", false, -1},
-                                                 {"alignment_right", false, -1},
-                                                 {"level", false, -1},
-                                                 {"level_left", false, -1},
-                                                 {"level_right", false, -1},
-                                                 {"cross_level", false, 1},
-                                                 {"rail_lateral_left", false, 1},
-                                                 {"rail_vertical_left", false, -1},
-                                                 {"rail_roll_left", true, 1},
-                                                 {"rail_lateral_right", false, 1},
-                                                 {"rail_vertical_right", false, -1},
-                                                 {"rail_roll_right", true, 1}}};
-
 /// Words in the names of quantities of a line: a column with one of them is never ignored.
 constexpr const char* own_words[] = {"gauge", "alig", "level", "cant", "superelevation", "rail_"};
 
-/// A row of the table in SI units and REP-103 axes; nothing where the column is missing.
-struct Row
-{
-  std::array<std::optional<double>, columns> value;
-  std::array<bool, columns> nines{};  ///< the cell contains only nines, as fillers do
-  std::size_t line = 0;
-};
-
-/// Name of a column as in `rules`: in lower case, with _ in place of blanks, points and hyphens.
+/// Name of a column as in `line_columns`: in lower case, with _ in place of blanks, points and hyphens.
 std::string columnKey(const std::string& name)
 {
   static const std::regex gaps("[\\s._-]+"), place("s|distance|station|chainage|mileage"), cross("crosslevel");
@@ -105,10 +49,10 @@ class LineFile
   }
 
   /// Reads all rows. Those with a missing value are dropped.
-  std::vector<Row> rows()
+  std::vector<LineRow> rows()
   {
     static const std::regex nines(R"([+-]?99+[.,]?9+0*)");
-    std::vector<Row> rows;
+    std::vector<LineRow> rows;
     std::size_t count = 0;
     for (TableRow cells; table_.next(cells); ++count)
     {
@@ -117,12 +61,12 @@ class LineFile
         first_dropped_ = dropped_++ == 0 ? cells.line : first_dropped_;
         continue;
       }
-      Row row;
+      LineRow row;
       row.line = cells.line;
       for (const Used& used : used_)
       {
         std::optional<double>& value = row.value[used.quantity];
-        const double number = file_.numberIn(withPoint(cells.cells[used.index]), rules[used.quantity].name);
+        const double number = file_.numberIn(withPoint(cells.cells[used.index]), line_columns[used.quantity].name);
         value = value.value_or(0) + number * used.factor;
         const std::string& cell = cells.cells[used.index];
         row.nines[used.quantity] = cell.size() <= longest_word && std::regex_match(cell, nines);
@@ -176,8 +120,9 @@ class LineFile
   void addColumn(std::size_t index, const TableTitle& title)
   {
     const std::string key = columnKey(title.name);
-    const auto rule = std::find_if(rules.begin(), rules.end(), [&](const ColumnRule& r) { return key == r.name; });
-    if (rule == rules.end())
+    const auto rule =
+        std::find_if(line_columns.begin(), line_columns.end(), [&](const LineColumn& r) { return key == r.name; });
+    if (rule == line_columns.end())
     {
       const bool is_own = std::any_of(std::begin(own_words), std::end(own_words),
                                       [&](const char* word) { return key.find(word) != std::string::npos; });
@@ -188,7 +133,7 @@ class LineFile
       }
       return;
     }
-    const auto column = static_cast<std::size_t>(rule - rules.begin());
+    const auto column = static_cast<std::size_t>(rule - line_columns.begin());
     refuseTitlesIf(has(column), "column '" + title.name + "' is given twice");
     refuseTitlesIf(title.unit.empty(), "column '" + title.name + "': must have a unit, for example '" + title.name +
                                            (rule->is_angle ? " [mrad]'" : " [mm]'"));
@@ -213,7 +158,7 @@ class LineFile
     const auto both = [this](std::size_t one, std::size_t other)
     {
       refuseTitlesIf(has(one) && has(other),
-                     std::string("give either '") + rules[one].name + "' or '" + rules[other].name + "'");
+                     std::string("give either '") + line_columns[one].name + "' or '" + line_columns[other].name + "'");
     };
     both(alignment, alignment_left);
     both(alignment, alignment_right);
@@ -231,8 +176,8 @@ class LineFile
   static std::string validNames()
   {
     std::vector<std::string> names;
-    std::transform(rules.begin(), rules.end(), std::back_inserter(names),
-                   [](const ColumnRule& rule) { return rule.name; });
+    std::transform(line_columns.begin(), line_columns.end(), std::back_inserter(names),
+                   [](const LineColumn& rule) { return rule.name; });
     return joined(names, ", ");
   }
 
@@ -245,103 +190,6 @@ class LineFile
   std::vector<std::string> ignored_;
   std::size_t dropped_ = 0, first_dropped_ = 0;
 };
-
-/// Mean and difference of a quantity of both rails, left and right, from what is given.
-struct Pair
-{
-  double middle = 0, difference = 0;
-
-  Pair(const std::optional<double>& mean, const std::optional<double>& left, const std::optional<double>& right,
-       const std::optional<double>& given_difference)
-  {
-    difference = given_difference ? *given_difference : left && right ? *left - *right : 0;
-    middle = mean            ? *mean
-             : left && right ? 0.5 * (*left + *right)
-             : left          ? *left - 0.5 * difference
-             : right         ? *right + 0.5 * difference
-                             : 0;
-  }
-};
-
-LineStation stationOf(const Row& row)
-{
-  const auto value = [&row](std::size_t column) { return row.value[column].value_or(0); };
-  const Pair lateral(row.value[alignment], row.value[alignment_left], row.value[alignment_right], row.value[gauge]);
-  const Pair vertical(row.value[level], row.value[level_left], row.value[level_right], row.value[cross_level]);
-  LineStation station;
-  station.x = value(x);
-  station.cross_level = vertical.difference;
-  station.rail.left = {lateral.middle + 0.5 * lateral.difference + value(rail_lateral_left),
-                       vertical.middle + value(rail_vertical_left), value(rail_roll_left)};
-  station.rail.right = {-lateral.middle + 0.5 * lateral.difference + value(rail_lateral_right),
-                        vertical.middle + value(rail_vertical_right), value(rail_roll_right)};
-  return station;
-}
-
-/// Makes deviations of the gauge from the nominal one. @return true if they are
-bool isDeviation(std::vector<Row>& rows, double nominal, const TextFile& file)
-{
-  if (rows.empty() || !rows.front().value[gauge])
-  {
-    return false;
-  }
-  const bool is_deviation = std::abs(*rows.front().value[gauge]) < 0.5 * nominal;
-  for (Row& row : rows)
-  {
-    double& value = *row.value[gauge];
-    if (!(std::abs(value - (is_deviation ? 0 : nominal)) <= largest_value))
-    {
-      file.refuse(row.line, "gauge = " + std::to_string(value) +
-                                " m: must be the whole gauge, within 0.2 m of track/gauge" +
-                                ", or in all rows the deviation from it");
-    }
-    value -= is_deviation ? 0 : nominal;
-  }
-  return is_deviation;
-}
-
-/// Refuses values that no track has.
-void checkValues(const std::vector<Row>& rows, double nominal_gauge, const TextFile& file)
-{
-  for (std::size_t i = 0; i < rows.size(); ++i)
-  {
-    const Row &row = rows[i], &before = rows[i > 0 ? i - 1 : 0];
-    const double distance = *row.value[x] - *before.value[x];
-    for (std::size_t column = gauge; column < columns; ++column)
-    {
-      const double value = row.value[column].value_or(0), change = value - before.value[column].value_or(0);
-      const bool is_large = std::abs(value) > largest_value;
-      const bool is_filler = std::abs(change) > least_filler &&
-                             ((row.nines[column] && std::abs(change) > 0.5 * std::abs(value)) ||
-                              (before.nines[column] && std::abs(change) > 0.5 * std::abs(change - value)));
-      if (is_large || is_filler || std::abs(change) > steepest * distance + step_share * nominal_gauge)
-      {
-        file.refuse(row.line, formatted("column '%s': %s %.4g %s%s: another unit, or a filler for a missing value, "
-                                        "which must be an empty cell",
-                                        rules[column].name, is_large ? "a value of" : "a change by",
-                                        is_large ? value : change, rules[column].is_angle ? "rad" : "m",
-                                        is_large ? "" : formatted(" within %.4g m", distance).c_str()));
-      }
-    }
-  }
-}
-
-/// Puts the rows in the order of x. @return true if they were in the opposite order
-bool isReversed(std::vector<Row>& rows, const TextFile& file)
-{
-  const bool reversed = rows.size() > 1 && *rows.front().value[x] > *rows.back().value[x];
-  for (std::size_t i = 1; i < rows.size(); ++i)
-  {
-    const double step = *rows[i].value[x] - *rows[i - 1].value[x];
-    file.refuseIf(!(reversed ? step < 0 : step > 0), rows[i].line,
-                  reversed ? "x must decrease, as from the first row to the last" : "x must increase");
-  }
-  if (reversed)
-  {
-    std::reverse(rows.begin(), rows.end());
-  }
-  return reversed;
-}
 
 /// Three times the median distance of the stations [m].
 double usualGap(const std::vector<LineStation>& stations)
@@ -373,7 +221,7 @@ TrackLine readTrackLine(const std::string& path, double nominal_gauge, const Lin
   try
   {
     LineFile table(path, reading.axes);
-    std::vector<Row> rows = table.rows();
+    std::vector<LineRow> rows = table.rows();
     const bool is_deviation = isDeviation(rows, nominal_gauge, table.file());
     const bool is_reversed = isReversed(rows, table.file());
     checkValues(rows, nominal_gauge, table.file());

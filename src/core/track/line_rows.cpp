@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/track/line_rows.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/text/formatted.h"
+
+namespace wheel_rail_contact::core
+{
+using namespace line_quantity;
+
+namespace
+{
+constexpr double largest_value = 0.2;  ///< of a displacement, or a difference from the nominal gauge [m], [rad]
+/// Largest change between two stations: slope [-], and change of any two [share of the gauge], far above those of real
+/// track (1:20 on the worst one, steps of a millimetre). A larger one is a filler for a missing value, or a fault.
+constexpr double steepest = 0.1, step_share = 0.003;
+constexpr double least_filler = 0.005;  ///< change to a value of nines from which it is a filler [m], [rad]
+
+/// Mean and difference of a quantity of both rails, left and right, from what is given.
+struct PairOfRails
+{
+  double middle = 0, difference = 0;
+
+  PairOfRails(const std::optional<double>& mean, const std::optional<double>& left, const std::optional<double>& right,
+              const std::optional<double>& given_difference)
+  {
+    difference = given_difference ? *given_difference : left && right ? *left - *right : 0;
+    middle = mean            ? *mean
+             : left && right ? 0.5 * (*left + *right)
+             : left          ? *left - 0.5 * difference
+             : right         ? *right + 0.5 * difference
+                             : 0;
+  }
+};
+}  // namespace
+
+LineStation stationOf(const LineRow& row)
+{
+  const auto value = [&row](std::size_t column) { return row.value[column].value_or(0); };
+  const PairOfRails lateral(row.value[alignment], row.value[alignment_left], row.value[alignment_right],
+                            row.value[gauge]);
+  const PairOfRails vertical(row.value[level], row.value[level_left], row.value[level_right], row.value[cross_level]);
+  LineStation station;
+  station.x = value(x);
+  station.cross_level = vertical.difference;
+  station.rail.left = {lateral.middle + 0.5 * lateral.difference + value(rail_lateral_left),
+                       vertical.middle + value(rail_vertical_left), value(rail_roll_left)};
+  station.rail.right = {-lateral.middle + 0.5 * lateral.difference + value(rail_lateral_right),
+                        vertical.middle + value(rail_vertical_right), value(rail_roll_right)};
+  return station;
+}
+
+bool isDeviation(std::vector<LineRow>& rows, double nominal, const TextFile& file)
+{
+  if (rows.empty() || !rows.front().value[gauge])
+  {
+    return false;
+  }
+  const bool is_deviation = std::abs(*rows.front().value[gauge]) < 0.5 * nominal;
+  for (LineRow& row : rows)
+  {
+    double& value = *row.value[gauge];
+    if (!(std::abs(value - (is_deviation ? 0 : nominal)) <= largest_value))
+    {
+      file.refuse(row.line, "gauge = " + std::to_string(value) +
+                                " m: must be the whole gauge, within 0.2 m of track/gauge" +
+                                ", or in all rows the deviation from it");
+    }
+    value -= is_deviation ? 0 : nominal;
+  }
+  return is_deviation;
+}
+
+void checkValues(const std::vector<LineRow>& rows, double nominal_gauge, const TextFile& file)
+{
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    const LineRow &row = rows[i], &before = rows[i > 0 ? i - 1 : 0];
+    const double distance = *row.value[x] - *before.value[x];
+    for (std::size_t column = gauge; column < columns; ++column)
+    {
+      const double value = row.value[column].value_or(0), change = value - before.value[column].value_or(0);
+      const bool is_large = std::abs(value) > largest_value;
+      const bool is_filler = std::abs(change) > least_filler &&
+                             ((row.nines[column] && std::abs(change) > 0.5 * std::abs(value)) ||
+                              (before.nines[column] && std::abs(change) > 0.5 * std::abs(change - value)));
+      if (is_large || is_filler || std::abs(change) > steepest * distance + step_share * nominal_gauge)
+      {
+        file.refuse(row.line, formatted("column '%s': %s %.4g %s%s: another unit, or a filler for a missing value, "
+                                        "which must be an empty cell",
+                                        line_columns[column].name, is_large ? "a value of" : "a change by",
+                                        is_large ? value : change, line_columns[column].is_angle ? "rad" : "m",
+                                        is_large ? "" : formatted(" within %.4g m", distance).c_str()));
+      }
+    }
+  }
+}
+
+bool isReversed(std::vector<LineRow>& rows, const TextFile& file)
+{
+  const bool reversed = rows.size() > 1 && *rows.front().value[x] > *rows.back().value[x];
+  for (std::size_t i = 1; i < rows.size(); ++i)
+  {
+    const double step = *rows[i].value[x] - *rows[i - 1].value[x];
+    file.refuseIf(!(reversed ? step < 0 : step > 0), rows[i].line,
+                  reversed ? "x must decrease, as from the first row to the last" : "x must increase");
+  }
+  if (reversed)
+  {
+    std::reverse(rows.begin(), rows.end());
+  }
+  return reversed;
+}
+}  // namespace wheel_rail_contact::core
