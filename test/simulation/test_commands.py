@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The commands of the closed loop: the launch file, the loop in Python, and the pictures."""
+"""The commands of the closed loop: the launch file, the program, and the pictures."""
 import contextlib
 import io
 import os
@@ -11,16 +11,12 @@ from pathlib import Path
 
 import numpy as np
 
-from wheel_rail_contact.command import Failure
 from wheel_rail_contact.csv_table import CsvTable
 from wheel_rail_contact.simulation.command_line import main
-from wheel_rail_contact.simulation.contact import open_contact
-from wheel_rail_contact.simulation.parameters import read_parameters
 
-PROGRAM = os.environ["SIMULATE_WHEELSET"]
-PYTHON_LOOP = Path(__file__).resolve().parents[2] / "scripts" / "simulate_wheelset_python"
+PROGRAM = Path(__file__).resolve().parents[2] / "scripts" / "simulate_wheelset"
 TIMEOUT = 120  # [s] for a command of a few seconds; builds with sanitizers are slow
-HAS_MODULE = os.environ["HAS_PYTHON_MODULE"] == "1"
+needs_module = unittest.skipUnless(os.environ["HAS_PYTHON_MODULE"] == "1", "the Python module is not built")
 
 
 def run(*command):
@@ -55,61 +51,40 @@ class Commands(unittest.TestCase):
             self.assertEqual(len(CsvTable(table)), 200)
             table.unlink()
 
-    @unittest.skipUnless(HAS_MODULE, "the Python module is not built")
-    def test_python_loop_has_the_motion_of_the_program(self):
-        config = self.config("run: {speed: 40, y: 0.003, yaw: 0.001, duration: 0.4}\n"
-                             "suspension: {lateral_damping: 2.0e+3, longitudinal_damping: 1.0e+3}\n")
-        tables = []
-        for program in (PROGRAM, PYTHON_LOOP):
-            path = self.folder / "run.csv"
-            status, _, error = run(program, "--config", config, "--out", path)
-            self.assertEqual((status, error), (0, ""))
-            tables.append(CsvTable(path))
-        # Both evaluate the same formulas in the same states. Rounding may change the number of iterations of a solver, and so
-        # the forces by far less than contact/tolerance, 1 %: see contact_ways_test.cpp.
-        np.testing.assert_allclose(tables[1]["y"], tables[0]["y"], atol=1e-6)
-        np.testing.assert_allclose(tables[1]["yaw"], tables[0]["yaw"], atol=1e-6)
-        self.assertGreater(np.ptp(tables[0]["y"]), 3e-3)
+    @needs_module
+    def test_table_has_a_row_per_step_with_the_summary_of_the_loop(self):
+        table = self.folder / "run.csv"
+        status, out, error = run(PROGRAM, "--duration", "1", "--speed", "30", "--step", "0.002", "--contact", "process", "--out",
+                                 table)
+        self.assertEqual((status, error), (0, ""))
+        self.assertRegex(out, r"^500 steps, 0 with a held contact, \d+ at the friction limit\nlast third: largest \|y\| \d.* mm, "
+                              r".*wave.*\n\d+ steps/s; step: median \d.* ms, 95 % \d.* ms, longest \d.* ms\n$")
+        rows = CsvTable(table)
+        np.testing.assert_allclose(rows["time"], 0.002 * np.arange(500), atol=1e-9)
+        np.testing.assert_allclose(rows["distance"], 30 * rows["time"], atol=1e-6)
+        self.assertGreater(np.ptp(rows["y"]), 3e-3)
+        self.assertFalse(np.any(rows["held"]))
+        # The contacts carry the axle load: 200 kN, less the cosine of angles up to 0.1 rad.
+        np.testing.assert_allclose(rows["left_normal_force"] + rows["right_normal_force"], 200e3, rtol=0.01)
 
-    def test_python_loop_and_program_refuse_parameters_with_one_text(self):
-        for text in ("run: {sped: 3}\n", "runs: {step: 3}\n", "run: {step: -0.001}\n", "run: {step: 20}\n",
-                     "run: {duration: 1.0e+9}\n", "run: {held_steps: 2.5}\n", "run: {speed: fast}\n", "run: {speed: true}\n",
-                     "run: {yaw: .nan}\n", "wheelset: {mass: 0}\n", "suspension: {lateral_damping: -1}\n",
-                     "wheelset: {gyroscopic: 0.6}\n", "run: 3\n", "run:\n", "hello\n", ""):
-            path = self.config(text)
-            status, _, error = run(PROGRAM, "--config", path)
-            self.assertEqual(status, 1, text)
-            with self.assertRaises(Failure) as failure:
-                read_parameters(path)
-            self.assertEqual(error, f"simulate_wheelset: {failure.exception}\n", text)
-
-    def test_python_loop_refuses_files_that_are_no_yaml(self):
-        for content in (b"run: [\n", b"run: \xff\n"):
-            path = self.folder / "config.yaml"
-            path.write_bytes(content)
-            with self.assertRaisesRegex(Failure, "config.yaml: "):
-                read_parameters(path)
-
-    @unittest.skipUnless(HAS_MODULE, "the Python module is not built")
-    def test_python_loop_refuses_contact_parameters_that_it_is_not_written_for(self):
-        for text, message in (("wheelset: {balance: wheel_loads}\n", "wheelset/balance = wheel_loads must be moments"),
-                              ("wheelset: {free: []}\n", r"wheelset/free = \[\] must be \[z, roll\]"),
-                              ("track: {displacement: topic}\n", "rail_displacement is missing"),
-                              ("wheel: NOSUCH\n", "wheel"), ("hello\n", "config.yaml")):
-            with self.assertRaisesRegex(Failure, message):
-                open_contact(self.config(text))
-        status, out, error = run(PYTHON_LOOP, "--contact-config", self.config("wheelset: {balance: wheel_loads}\n"))
-        self.assertEqual((status, out), (1, ""))
-        self.assertRegex(error, "^simulate_wheelset_python: wheelset/balance = wheel_loads must be")
-
-    def test_program_reports_mistakes_and_a_full_folder(self):
-        for arguments, message in ((("--speed", "fast"), "('fast') for option '--speed' is invalid: must be a number"),
-                                   (("--config", "missing.yaml"), "missing.yaml"),
-                                   (("--duration", "0.01", "--out", self.folder / "no" / "run.csv"), "cannot be written")):
-            status, out, error = run(PROGRAM, *arguments)
-            self.assertEqual((status, out), (1, ""), arguments)
+    @needs_module
+    def test_program_reports_mistakes_and_a_full_disk(self):
+        short = ("--duration", "0.01")
+        for arguments, status, message in (
+                (("--speed", "fast"), 2, "argument --speed: invalid float value: 'fast'"),
+                (("--speed",), 2, "argument --speed: expected one argument"), (("--fast", "1"), 2, "unrecognized arguments: --fast 1"),
+                (("--contact", "radio"), 2, "argument --contact: invalid choice: 'radio'"),
+                (("--speed", "-1"), 1, "simulate_wheelset: run/speed = -1 must be a finite number > 0\n"),
+                (("--contact", "topics", "--contact-config", "a.yaml"), 1, "a.yaml: only with --contact process"),
+                (("--config", "missing.yaml"), 1, "missing.yaml: No such file"),
+                (("--contact-config", self.config("wheelset: {balance: wheel_loads}\n")), 1, "balance = wheel_loads must be"),
+                ((*short, "--out", self.folder / "no" / "run.csv"), 1, "no/run.csv: No such file"),
+                ((*short, "--out", "/dev/full"), 1, "/dev/full: No space left on device")):
+            result, out, error = run(PROGRAM, *arguments)
+            self.assertEqual((result, out), (status, ""), arguments)
             self.assertIn(message, error)
 
+    @needs_module
     def test_derailment_ends_with_the_reason(self):
         config = self.config("run: {yaw: 0.02, speed: 60, duration: 2}\nwheelset: {mass: 20.0e+3}\n")
         status, _, error = run(PROGRAM, "--config", config)
@@ -117,6 +92,7 @@ class Commands(unittest.TestCase):
         self.assertRegex(error, r"no usable contact in 21 successive steps, at \d.* mm: "
                                 r"OFF_PROFILE: (a wheel is beside its rail|contact lies beyond)")
 
+    @needs_module
     def test_pictures_are_drawn(self):
         from matplotlib import image
         table = self.folder / "run.csv"

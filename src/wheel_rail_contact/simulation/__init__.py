@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Parts of the example of a closed loop: parameters and contact in Python, and pictures of a run."""
+"""The example of a closed loop, simulate_wheelset: motion, contact in process or of a node, table and pictures of a run."""

@@ -1,8 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Parameters of the closed loop in Python, for the example simulate_wheelset_python.
-
-Names and rules are those of src/examples/simulate_wheelset/parameters.cpp.
-"""
+"""Parameters of the closed loop; config/simulate_wheelset.yaml describes them."""
 import math
 
 import yaml
@@ -30,21 +27,32 @@ RULES = {
 }
 
 
-def read_parameters(path=None):
+def read_parameters(path=None, run=()):
     """Groups of the parameters, {group: {name: number}}: those of a file over the shipped ones. SI units.
 
-    Raises Failure with the file, the name, the value and the broken rule.
+    run: values over those in the group run of the file. Raises Failure with the file, the name, the value and the broken rule.
     """
     groups = _read(shipped(DEFAULTS))
     if path:
         for group, values in _read(path).items():
             groups[group].update(values)
-    try:
-        _check(groups)
-    except Failure as failure:
-        raise Failure(f"{path}: {failure}") from failure
-    groups["run"]["step"] = round(1e9 * groups["run"]["step"]) / 1e9  # as the stamps of the C++ program
+        try:
+            _check(groups)
+        except Failure as failure:
+            raise Failure(f"{path}: {failure}") from failure
+    groups["run"].update(run)
+    _check(groups)
     return groups
+
+
+def step_nanoseconds(run):
+    """Time step, rounded to the resolution of stamps [ns]."""
+    return round(1e9 * run["step"])
+
+
+def step_count(run):
+    """Number of steps that cover the duration."""
+    return math.ceil(1e9 * run["duration"] / step_nanoseconds(run) - 1e-9)
 
 
 def _read(path):

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Table of a run (CSV): one row per step, SI units. The first line has the names and units of the columns."""
+import csv
+import math
+
+from ..command import writing
+from .closed_loop import friction_power, is_saturated
+
+SIDES = ("left", "right")
+MOTION = ("time [s]", "distance [m]", "y [m]", "yaw [rad]", "y_rate [m/s]", "yaw_rate [rad/s]", "rotation [rad/s]", "z [m]",
+          "roll [rad]", "force_z [N]", "torque_x [N m]", "lateral_force [N]", "yaw_moment [N m]", "friction_power [W]")
+WHEEL = ("normal_force [N]", "rolling_radius [m]", "creep_x [N]", "creep_y [N]", "adhesion_share [-]", "saturated [-]")
+
+
+class MotionTable:
+    """The table of a run in a file. Raises Failure if the file cannot be written."""
+
+    def __init__(self, path):
+        self._path = path
+        with writing(path):
+            self._stream = open(path, "w", newline="", encoding="utf-8")
+        self._writer = csv.writer(self._stream, lineterminator="\n")
+        self._write([*MOTION, *(f"{side}_{name}" for side in SIDES for name in WHEEL), "held [-]"])
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        with writing(self._path):
+            self._stream.close()
+
+    def add(self, request, reply, is_held):
+        """Adds a step: the request at its start, and the contact in the step."""
+        wrench = reply.rail_wrench
+        values = [1e-9 * request.time, request.x, request.y, request.yaw, request.lateral_velocity, request.yaw_rate,
+                  reply.rotation, reply.wheelset.position.z, reply.wheelset.roll, request.force_z, request.torque_x,
+                  wrench.force.y, wrench.torque.z, friction_power(reply)]
+        for side in SIDES:
+            values += _wheel([patch for patch in reply.patches if patch.side == side])
+        self._write([f"{value:.9g}" for value in (*values, is_held)])
+
+    def _write(self, row):
+        with writing(self._path):
+            self._writer.writerow(row)
+
+
+def _wheel(patches):
+    """Values of the columns WHEEL from the contacts of a wheel; the friction is that on the wheel along x and y of the track."""
+    force = sum(patch.normal_force for patch in patches)
+    radius = sum(patch.normal_force * patch.rolling_radius for patch in patches) / force if force > 0 else math.nan
+    return (force, radius, sum(patch.creep.force_x for patch in patches),
+            sum(patch.creep.force_y * math.cos(patch.pose.roll) for patch in patches),
+            max((patch.creep.adhesion_share for patch in patches), default=0.0), any(map(is_saturated, patches)))

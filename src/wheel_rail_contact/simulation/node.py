@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The contact calculation of a running node: over its topics, or over its service.
+
+Results have the names of the Python module, as those in process. The program calls rospy.init_node().
+"""
+import math
+import threading
+from types import SimpleNamespace
+
+import rospy
+from geometry_msgs.msg import PoseStamped, TwistStamped, WrenchStamped
+
+from wheel_rail_contact.msg import WheelsetContact
+from wheel_rail_contact.srv import EvaluateWheelset, EvaluateWheelsetRequest
+
+from ..command import Failure
+from ..message_constants import SIDES, STATUSES, USABLE
+from .contact import require_suitable
+from .wheelset import Request
+
+FIRST_STAMP = 1000 * 10**9  # [ns]; messages with a stamp of 0 are dropped, and trial states are before the start
+MINUTE = 60                 # longest wait for the service, or for the first result [s]
+RESULT_WAIT = 10            # longest one, for a result [s]; builds with sanitizers are slow
+ATTEMPT = 0.1               # between trial states [s]
+TRIAL_FORCE = -100e3        # a light wheelset [N]; the result of the trial is not used
+QUEUE_SIZE = 1              # in lockstep no second message waits
+
+
+class ServiceContact:
+    """A contact node, over its service `evaluate` with one persistent connection."""
+
+    def __init__(self, node, frame):
+        """Waits for the service. node: name of the contact node. frame: its parameter track/frame.
+
+        Raises Failure if there is no service within a minute, or the node expects another load.
+        """
+        self._name, self._frame = rospy.resolve_name(f"{node}/evaluate"), frame
+        try:
+            rospy.wait_for_service(self._name, MINUTE)
+        except rospy.ROSException as error:
+            raise Failure(f"no service {self._name} within a minute") from error
+        require_load(node)
+        self._call = rospy.ServiceProxy(self._name, EvaluateWheelset, persistent=True)
+
+    def evaluate(self, request):
+        try:
+            return reply_of(self._call(message_of(request, self._frame)).contact)
+        except rospy.ServiceException as error:
+            raise Failure(f"the call of {self._name} failed: {error}") from error
+
+
+class TopicContact:
+    """A contact node, over its topics, in lockstep: publishes pose, twist and load, and waits for the result with their stamp."""
+
+    def __init__(self, node, frame):
+        """Waits until the node replies; arguments and failures as for ServiceContact."""
+        require_load(node)
+        self._frame, self._latest, self._arrived = frame, None, threading.Condition()
+        self._publishers = [rospy.Publisher(f"wheelset/{name}", kind, queue_size=QUEUE_SIZE, tcp_nodelay=True)
+                            for name, kind in (("pose", PoseStamped), ("twist", TwistStamped), ("load", WrenchStamped))]
+        # Without tcp_nodelay, each result may wait for up to 40 ms in the socket.
+        self._subscriber = rospy.Subscriber(f"{node}/contact", WheelsetContact, self._receive, queue_size=QUEUE_SIZE,
+                                            tcp_nodelay=True)
+        # Messages are lost until all connections exist: trial states are sent until the first result.
+        attempts = round(MINUTE / ATTEMPT)
+        if not any(self._result(Request(time=(i - attempts) * 10**9, force_z=TRIAL_FORCE), ATTEMPT) for i in range(attempts)):
+            raise Failure(f"no result on {self._subscriber.resolved_name} within a minute")
+
+    def evaluate(self, request):
+        result = self._result(request, RESULT_WAIT)
+        if not result:
+            raise Failure(f"no result on {self._subscriber.resolved_name} within {RESULT_WAIT} s")
+        return reply_of(result)
+
+    def _result(self, request, seconds):
+        """Sends a state, and returns its result, or None if there is none in this time."""
+        message = message_of(request, self._frame)
+        with self._arrived:
+            self._latest = None  # that of an earlier request of this step has the same stamp
+            for publisher, part in zip(self._publishers, (message.pose, message.twist, message.load)):
+                publisher.publish(part)
+            stamp = message.pose.header.stamp
+            self._arrived.wait_for(lambda: self._latest and self._latest.header.stamp == stamp, seconds)
+            return self._latest if self._latest and self._latest.header.stamp == stamp else None
+
+    def _receive(self, message):
+        with self._arrived:
+            self._latest = message
+            self._arrived.notify()
+
+
+def require_load(node):
+    """Raises Failure if the parameters of a node expect another load than that of the example."""
+    name = rospy.resolve_name(node)
+    defaults = {"wheelset/balance": "wheel_loads", "wheelset/free": ["z", "roll"], "creep/method": "none",
+                "creep/rotation": "free", "track/displacement": "none", "rail_bending/neighbours": []}
+
+    def value_of(parameter):
+        value = rospy.get_param(f"{name}/{parameter}", defaults[parameter])
+        return f"[{', '.join(map(str, value))}]" if isinstance(value, list) else str(value)
+
+    require_suitable(value_of, prefix=f"{name}/")
+
+
+def message_of(request, frame):
+    """Pose and velocity of the axle in the track frame, and load on its centre in track axes, with one stamp.
+
+    Height, roll and rotation are zero: they are results.
+    """
+    message = EvaluateWheelsetRequest()
+    for part in (message.pose, message.twist, message.load):
+        part.header.stamp, part.header.frame_id = rospy.Time(0, FIRST_STAMP + request.time), frame
+    pose, twist, load = message.pose.pose, message.twist.twist, message.load.wrench
+    pose.position.x, pose.position.y = request.x, request.y
+    pose.orientation.z, pose.orientation.w = math.sin(request.yaw / 2), math.cos(request.yaw / 2)
+    twist.linear.x, twist.linear.y, twist.angular.z = request.speed, request.lateral_velocity, request.yaw_rate
+    load.force.z, load.torque.x = request.force_z, request.torque_x
+    return message
+
+
+def reply_of(message):
+    """Result of a node, with the names of the Python module; only what the example uses."""
+    return SimpleNamespace(
+        usable=message.status in USABLE, status=STATUSES[message.status], status_text=message.status_text,
+        wheelset=_with_roll(message.wheelset), rotation=message.rotation, rail_wrench=message.rail_wrench,
+        left_rail=message.left_rail, right_rail=message.right_rail, patches=[_patch_of(patch) for patch in message.patches])
+
+
+def _patch_of(patch):
+    return SimpleNamespace(side=SIDES[patch.side], pose=_with_roll(patch.pose), normal_force=patch.normal_force,
+                           rolling_radius=patch.rolling_radius, creep=patch.creep)
+
+
+def _with_roll(pose):
+    """Pose with its rotation about x [rad]; it is rotated about x and z only."""
+    q = pose.orientation
+    roll = math.atan2(2 * (q.w * q.x + q.y * q.z), 1 - 2 * (q.x * q.x + q.y * q.y))
+    return SimpleNamespace(position=pose.position, orientation=q, roll=roll)

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Motion of the wheelset with prescribed contacts, and contacts that are held."""
+import unittest
+from types import SimpleNamespace
+
+from wheel_rail_contact.command import Failure
+from wheel_rail_contact.simulation.contact import HeldContact
+from wheel_rail_contact.simulation.parameters import read_parameters, step_count
+from wheel_rail_contact.simulation.wheelset import Request, Wheelset
+
+
+class Rails:
+    """Rails that give a prescribed reply, whatever the request; without forces at first."""
+
+    def __init__(self):
+        self.left_rail, self.right_rail = SimpleNamespace(given_vertical=0.0), SimpleNamespace(given_vertical=0.0)
+        self.force, self.torque = SimpleNamespace(x=0.0, y=0.0, z=0.0), SimpleNamespace(x=0.0, y=0.0, z=0.0)
+        self.rail_wrench = SimpleNamespace(force=self.force, torque=self.torque)
+        self.usable, self.rotation, self.wheelset = True, 0.0, SimpleNamespace(roll=0.0)
+
+    def evaluate(self, _):
+        return self
+
+
+class Prescribed:
+    """Contact with a prescribed usability in each call; its number is that of the call."""
+
+    def __init__(self, *usable):
+        self._usable, self.calls = usable, 0
+
+    def evaluate(self, _):
+        self.calls += 1
+        return SimpleNamespace(usable=self._usable[self.calls - 1], number=self.calls, status="OFF_PROFILE",
+                               status_text="beyond the end of a profile")
+
+
+class Motion(unittest.TestCase):
+    def setUp(self):
+        self.p, self.rails = read_parameters(), Rails()
+        self.held = HeldContact(self.rails, 0)
+
+    def near(self, value, expected, delta):
+        self.assertAlmostEqual(value, expected, delta=delta)
+
+    def test_load_has_no_force_of_the_rails(self):
+        self.p["wheelset"]["gyroscopic"] = 0.0
+        self.rails.wheelset.roll = 0.002
+        self.force, self.torque = self.rails.force, self.rails.torque
+        self.force.x, self.force.y, self.force.z = -100.0, 5e3, 200e3
+        self.torque.x, self.torque.y, self.torque.z = 8e3, 30.0, 2e3
+        wheelset = Wheelset(self.p)
+        wheelset.advance(self.held)
+        request, s, step = wheelset.request(), self.p["suspension"], self.p["run"]["step"]
+        self.near(request.torque_x, -2 * s["vertical_stiffness"] * s["half_spacing"]**2 * 0.002, 1e-9)
+        self.assertEqual(request.force_z, -self.p["wheelset"]["axle_load"])
+        # The forces of the rails move the wheelset.
+        spring = 2 * s["lateral_stiffness"] * self.p["run"]["y"]
+        self.near(request.lateral_velocity, step * (5e3 - spring) / self.p["wheelset"]["mass"], 1e-12)
+        self.near(request.yaw_rate, step * 2e3 / self.p["wheelset"]["yaw_inertia"], 1e-12)
+
+    def test_a_gyroscopic_wheelset_conserves_its_angular_momentum(self):
+        # Without moments about z, I_z yaw' + I_y W roll is constant.
+        self.p["suspension"].update(longitudinal_stiffness=0.0, vertical_stiffness=0.0)
+        self.rails.rotation, roll = 87.0, 1e-3
+        wheelset = Wheelset(self.p)
+        for share in (0, 0.5, 1, 1, 1):
+            self.rails.wheelset = SimpleNamespace(roll=share * roll)
+            wheelset.advance(self.held)
+        momentum = self.p["wheelset"]["spin_inertia"] * 87
+        self.near(wheelset.velocity[1], -momentum * roll / self.p["wheelset"]["yaw_inertia"], 1e-9)
+        # The turn of the axle to the right raises the right wheel: the moment on the axle is negative.
+        self.near(wheelset.request().torque_x, momentum * wheelset.velocity[1], 1e-9)
+
+    def test_load_has_the_inertia_on_a_line(self):
+        self.p["suspension"]["vertical_stiffness"] = 0.0
+        rise, turn, w = 3.0, 2.0, self.p["wheelset"]  # [m/s^2], [rad/s^2]
+        for is_on in (1.0, 0.0):
+            w["line_inertia"] = is_on
+            wheelset = Wheelset(self.p)
+            for i in range(4):
+                half_square = 0.5 * (i * self.p["run"]["step"])**2
+                self.rails.left_rail.given_vertical = half_square * (rise + 0.75 * turn)
+                self.rails.right_rail.given_vertical = half_square * (rise - 0.75 * turn)
+                wheelset.advance(self.held)
+            self.near(wheelset.request().force_z, -w["axle_load"] - is_on * w["mass"] * rise, 1e-3)
+            self.near(wheelset.request().torque_x, -is_on * w["yaw_inertia"] * turn, 1e-3)
+
+    def test_step_is_a_whole_number_of_nanoseconds(self):
+        self.p["run"].update(step=1 / 3000, duration=0.1)
+        self.assertEqual(step_count(self.p["run"]), 301)  # 300 steps of 333333 ns end 100 ns before 0.1 s
+        wheelset = Wheelset(self.p)
+        wheelset.advance(self.held)
+        self.assertEqual(wheelset.request().time, 333333)
+        # The rounding changes the step by 1e-6.
+        way = wheelset.position[0] - self.p["run"]["y"]
+        self.near(way / (333333e-9 * wheelset.velocity[0]), 1, 1e-8)
+
+
+class Held(unittest.TestCase):
+    def test_last_usable_contact_is_held_and_counted(self):
+        contact = HeldContact(Prescribed(True, False, False, True, False, False), 2)
+        for number, is_held in ((1, False), (1, True), (1, True), (4, False), (4, True), (4, True)):
+            self.assertEqual(contact.evaluate(Request()).number, number)
+            self.assertEqual(contact.in_a_row > 0, is_held)
+        self.assertEqual(contact.held, 4)
+
+    def test_too_many_successive_steps_stop_with_the_reason(self):
+        contact = HeldContact(Prescribed(True, False, False, False), 2)
+        for _ in range(3):
+            contact.evaluate(Request())
+        with self.assertRaises(Failure) as failure:
+            contact.evaluate(Request())
+        self.assertEqual(str(failure.exception), "no usable contact in 3 successive steps, at 0.000000 s, y = 0.000000 mm: "
+                                                 "OFF_PROFILE: beyond the end of a profile")
+
+    def test_first_step_must_be_usable(self):
+        with self.assertRaises(Failure):
+            HeldContact(Prescribed(False), 5).evaluate(Request())
