@@ -27,11 +27,14 @@ def table(model, arguments, many):
     if arguments["distance"] is None:
         arguments["distance"] = arguments["x"]
     arguments.update(_velocities(model, arguments.pop("twist")))
-    arrays = {name: _array(name, value, many) for name, value in arguments.items() if value is not None}
+    plain = {name: value for name, value in arguments.items() if isinstance(value, float) and name not in SHAPES}
+    arrays = {name: _array(name, value, many) for name, value in arguments.items() if value is not None and name not in plain}
     lengths = {name: len(array) for name, array in arrays.items() if array.ndim > len(SHAPES.get(name, ()))}
     states = np.zeros((_common(lengths), len(core.STATE_COLUMNS)))
     for name, array in arrays.items():
         states[:, COLUMNS[name]] = array.reshape(lengths.get(name, 1), len(COLUMNS[name]))
+    for name, value in plain.items():  # most arguments of most states: without arrays, which take longer
+        states[:, COLUMNS[name][0]] = value
     return states
 
 
