@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A C++ client of the contact node in lockstep: sends a state, and waits for its result (doc/co_simulation.md).
-//   roslaunch wheel_rail_contact contact.launch &
-//   rosrun wheel_rail_contact lockstep_client
+// The node runs with config/simulate_contact.yaml, or any other parameters for a load.
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/TwistStamped.h>
 #include <geometry_msgs/WrenchStamped.h>
@@ -19,7 +18,6 @@ using wheel_rail_contact::WheelsetContact;
 constexpr double speed = 20;        ///< along the track [m/s]; used with creep/method
 constexpr double force_z = -200e3;  ///< of vehicle and weight on the axle centre, up positive [N]
 
-/// Publishes a state of the wheelset, and waits for its result.
 class LockstepClient
 {
  public:
@@ -51,13 +49,12 @@ class LockstepClient
     pose_.publish(pose);
     twist_.publish(twist);
     load_.publish(load);
-    const auto is_here = [&] { return latest_ && latest_->header.stamp == time; };
-    for (const auto end = ros::WallTime::now() + ros::WallDuration(wait);
-         !is_here() && ros::ok() && ros::WallTime::now() < end;)
+    const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(wait);
+    while (ros::ok() && ros::WallTime::now() < end && !(latest_ && latest_->header.stamp == time))
     {
       queue_.callAvailable(ros::WallDuration(0.01));
     }
-    return is_here() ? latest_ : nullptr;
+    return latest_ && latest_->header.stamp == time ? latest_ : nullptr;
   }
 
  private:
@@ -82,14 +79,14 @@ int main(int argc, char** argv)
   for (const double y : {0.0, 0.001, 0.002, 0.003, 0.004})
   {
     time += ros::Duration(0.001);
-    const WheelsetContact::ConstPtr result = client.evaluate(time, y, 10);
-    if (!result || (result->status != WheelsetContact::OK && result->status != WheelsetContact::LIFT_OFF))
+    const auto result = client.evaluate(time, y, 10);
+    if (!result || result->status > WheelsetContact::LIFT_OFF)  // OK and LIFT_OFF are usable
     {
       std::fprintf(stderr, "y = %g m: %s\n", y, result ? result->status_text.c_str() : "no result");
       return EXIT_FAILURE;
     }
     const auto &left = result->left_wheel, &right = result->right_wheel;
-    const auto& rails = result->rail_wrench;
+    const geometry_msgs::Wrench& rails = result->rail_wrench;
     std::printf("%g %.1f %.1f %.1f %.1f %.1f %.1f %.1f\n", y, left.vertical_force, right.vertical_force,
                 left.lateral_force, right.lateral_force, rails.force.x, rails.force.y, rails.torque.z);
   }

@@ -3,10 +3,12 @@
 import contextlib
 import io
 import os
+import runpy
 import socket
 import subprocess
 import tempfile
 import unittest
+import unittest.mock
 from pathlib import Path
 
 import numpy as np
@@ -23,6 +25,18 @@ def run(*command):
     done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                           universal_newlines=True, timeout=TIMEOUT, check=False)
     return done.returncode, done.stdout, done.stderr
+
+
+def run_here(*arguments):
+    """Runs the program in this process, which saves the time of its start."""
+    out, error = io.StringIO(), io.StringIO()
+    with unittest.mock.patch("sys.argv", [str(word) for word in (PROGRAM, *arguments)]), contextlib.redirect_stdout(out), \
+            contextlib.redirect_stderr(error):
+        try:
+            runpy.run_path(str(PROGRAM), run_name="__main__")
+        except SystemExit as end:
+            return end.code, out.getvalue(), error.getvalue()
+    raise AssertionError("the program does not end with a status")
 
 
 def free_port():
@@ -54,7 +68,7 @@ class Commands(unittest.TestCase):
     @needs_module
     def test_table_has_a_row_per_step_with_the_summary_of_the_loop(self):
         table = self.folder / "run.csv"
-        status, out, error = run(PROGRAM, "--duration", "1", "--speed", "30", "--step", "0.002", "--contact", "process", "--out",
+        status, out, error = run_here("--duration", "1", "--speed", "30", "--step", "0.002", "--contact", "process", "--out",
                                  table)
         self.assertEqual((status, error), (0, ""))
         self.assertRegex(out, r"^500 steps, 0 with a held contact, \d+ at the friction limit\nlast third: largest \|y\| \d.* mm, "
@@ -80,14 +94,14 @@ class Commands(unittest.TestCase):
                 (("--contact-config", self.config("wheelset: {balance: wheel_loads}\n")), 1, "balance = wheel_loads must be"),
                 ((*short, "--out", self.folder / "no" / "run.csv"), 1, "no/run.csv: No such file"),
                 ((*short, "--out", "/dev/full"), 1, "/dev/full: No space left on device")):
-            result, out, error = run(PROGRAM, *arguments)
+            result, out, error = run_here(*arguments)
             self.assertEqual((result, out), (status, ""), arguments)
             self.assertIn(message, error)
 
     @needs_module
     def test_derailment_ends_with_the_reason(self):
         config = self.config("run: {yaw: 0.02, speed: 60, duration: 2}\nwheelset: {mass: 20.0e+3}\n")
-        status, _, error = run(PROGRAM, "--config", config)
+        status, _, error = run_here("--config", config)
         self.assertEqual(status, 1)
         self.assertRegex(error, r"no usable contact in 21 successive steps, at \d.* mm: "
                                 r"OFF_PROFILE: (a wheel is beside its rail|contact lies beyond)")
@@ -96,7 +110,7 @@ class Commands(unittest.TestCase):
     def test_pictures_are_drawn(self):
         from matplotlib import image
         table = self.folder / "run.csv"
-        self.assertEqual(run(PROGRAM, "--duration", "0.5", "--out", table)[0], 0)
+        self.assertEqual(run_here("--duration", "0.5", "--out", table)[0], 0)
         with contextlib.redirect_stdout(io.StringIO()):
             self.assertEqual(main([str(table), str(table), "--out", str(self.folder), "--length", "10"]), 0)
         for name in ("simulation_motion.png", "simulation_phase.png"):

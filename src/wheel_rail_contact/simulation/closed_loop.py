@@ -11,12 +11,11 @@ from .wheelset import Wheelset
 SATURATED_SHARE = 0.99  # of the friction limit, from which a contact counts as saturated
 
 
-def run_closed_loop(p, contact, table=None):
-    """Runs the loop and returns what happened in it.
+def run_closed_loop(p, contact, add_row=None):
+    """Runs the loop and returns its Summary.
 
-    p: see read_parameters(). contact: a way to the contact calculation. table: MotionTable for the rows of the steps.
-    Raises Failure if the contact cannot be reached, has no usable result in too many successive steps, or the motion does not
-    converge.
+    p: see read_parameters(). contact: a way to the contact calculation. add_row: see motion_table(). Raises Failure if the
+    contact cannot be reached, has no usable result in too many successive steps, or the motion does not converge.
     """
     summary, wheelset = Summary(p["run"]["speed"]), Wheelset(p)
     held = HeldContact(contact, p["run"]["held_steps"])
@@ -24,8 +23,8 @@ def run_closed_loop(p, contact, table=None):
         begin, request = time.perf_counter(), wheelset.request()
         reply = wheelset.advance(held)
         summary.add(request, reply, time.perf_counter() - begin)
-        if table:
-            table.add(request, reply, held.in_a_row > 0)
+        if add_row:
+            add_row(request, reply, held.in_a_row > 0)
     summary.held = held.held
     return summary
 
@@ -67,13 +66,9 @@ class Summary:
 
 
 class Waves:
-    """Means over the whole waves: between the first and the last upward zero crossing of the lateral displacement.
+    """Means over the whole waves, between the first and the last upward zero crossing of y; 0 without one (`count`).
 
-    count           number of whole waves; the others but largest_y are 0 without one
-    wavelength      mean [m]
-    largest_y       largest lateral displacement of all steps, to either side [m]
-    drag            mean force that resists the running, backward positive [N]
-    friction_power  mean [W]
+    They are the wavelength [m], the drag, backward positive [N], and the friction_power [W]; largest_y [m] is of all steps.
     """
 
     def __init__(self, distance, y, drag, power):

@@ -1,39 +1,33 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The contact calculation in this process, and what all ways to it have in common.
-
-A way has one function: evaluate(request) takes a Request and returns a result with the names of the Python module.
-"""
+"""The contact calculation in this process. As all ways to it, evaluate() takes a Request; results have the names of the module."""
 import wheel_rail_contact
 
 from ..command import Failure, shipped
 
 CONFIG = "config/simulate_contact.yaml"
-# Parameters of the contact that the load and the motion of the example are written for.
-RULES = (("wheelset/balance", ("moments",), "the load of this program is for it"),
-         ("creep/method", ("linear", "fastsim", "exact"), "this program has no friction of its own"),
-         ("creep/rotation", ("free",), "this program does not integrate the rotation"),
-         ("wheelset/free", ("[z, roll]",), "this program does not integrate height and roll"),
-         ("track/displacement", ("none",), "this program does not move the rails"),
-         ("rail_bending/neighbours", ("[]",), "this program has one wheelset"))
+# Parameters that the load and the motion of the example are written for: name, default, permitted values, reason.
+RULES = (("wheelset/balance", "wheel_loads", ("moments",), "the load of this program is for it"),
+         ("creep/method", "none", ("linear", "fastsim", "exact"), "this program has no friction of its own"),
+         ("creep/rotation", "free", ("free",), "this program does not integrate the rotation"),
+         ("wheelset/free", "[z, roll]", ("[z, roll]",), "this program does not integrate height and roll"),
+         ("track/displacement", "none", ("none",), "this program does not move the rails"),
+         ("rail_bending/neighbours", "[]", ("[]",), "this program has one wheelset"))
 
 
 def require_suitable(value_of, prefix=""):
-    """Raises Failure if the contact expects another load or another state than the example sends.
-
-    value_of: gives the text of a parameter by its name. prefix: of the names in the message.
-    """
-    for name, permitted, reason in RULES:
-        if value_of(name) not in permitted:
-            expected = " or ".join(filter(None, (", ".join(permitted[:-1]), permitted[-1])))
-            raise Failure(f"{prefix}{name} = {value_of(name)} must be {expected}: {reason}")
+    """Raises Failure unless value_of(name, default) of all RULES is permitted; prefix: of the names in the message."""
+    for name, default, permitted, reason in RULES:
+        value = value_of(name, default)
+        if value not in permitted:
+            expected = ", ".join(permitted).replace(", exact", " or exact")
+            raise Failure(f"{prefix}{name} = {value} must be {expected}: {reason}")
 
 
 class InProcessContact:
     """The numerical core in this process."""
 
     def __init__(self, contact):
-        """contact: a WheelsetContact; see open_contact()"""
-        self.contact = contact
+        self.contact = contact  # WheelsetContact
 
     def evaluate(self, request):
         return self.contact.evaluate(
@@ -50,7 +44,7 @@ def open_contact(path=None):
         contact = wheel_rail_contact.WheelsetContact([shipped(CONFIG), *([path] if path else [])])
     except (ImportError, ValueError) as error:
         raise Failure(error) from error
-    require_suitable(lambda name: contact.config[name])
+    require_suitable(contact.config.get)
     try:
         contact.evaluate(force_z=0.0, twist={"speed": 1.0})  # raises an error if others are required
     except TypeError as error:
@@ -60,10 +54,7 @@ def open_contact(path=None):
 
 
 class HeldContact:
-    """Contact of each step, or the last usable one while there is none.
-
-    Without forces the wheelset would fall and drift as after a lift-off, and nothing would show it.
-    """
+    """Contact of each step, or the last usable one while there is none: without forces the wheelset would fall unnoticed."""
 
     def __init__(self, contact, most):
         """most: largest number of successive steps with the last usable contact"""
@@ -72,10 +63,7 @@ class HeldContact:
         self.in_a_row = 0  # of these the last successive ones
 
     def evaluate(self, request):
-        """Contact for the first request of a step.
-
-        Raises Failure if more than `most` successive steps, or the first one, have no usable result.
-        """
+        """Contact for the first request of a step. Raises Failure if it and `most` before it, or the first one, are not usable."""
         reply = self._contact.evaluate(request)
         if reply.usable:
             self._last, self.in_a_row = reply, 0

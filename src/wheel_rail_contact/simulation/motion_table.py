@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Table of a run (CSV): one row per step, SI units. The first line has the names and units of the columns."""
+import contextlib
 import csv
 import math
 
@@ -12,40 +13,26 @@ MOTION = ("time [s]", "distance [m]", "y [m]", "yaw [rad]", "y_rate [m/s]", "yaw
 WHEEL = ("normal_force [N]", "rolling_radius [m]", "creep_x [N]", "creep_y [N]", "adhesion_share [-]", "saturated [-]")
 
 
-class MotionTable:
-    """The table of a run in a file. Raises Failure if the file cannot be written."""
+@contextlib.contextmanager
+def motion_table(path):
+    """Opens the table, and gives a function that adds a step. Raises Failure if the file cannot be written."""
+    with writing(path), open(path, "w", newline="", encoding="utf-8") as stream:
+        writer = csv.writer(stream, lineterminator="\n")
+        writer.writerow([*MOTION, *(f"{side}_{name}" for side in SIDES for name in WHEEL), "held [-]"])
+        yield lambda *step: writer.writerow([f"{value:.9g}" for value in _row(*step)])
 
-    def __init__(self, path):
-        self._path = path
-        with writing(path):
-            self._stream = open(path, "w", newline="", encoding="utf-8")
-        self._writer = csv.writer(self._stream, lineterminator="\n")
-        self._write([*MOTION, *(f"{side}_{name}" for side in SIDES for name in WHEEL), "held [-]"])
 
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        with writing(self._path):
-            self._stream.close()
-
-    def add(self, request, reply, is_held):
-        """Adds a step: the request at its start, and the contact in the step."""
-        wrench = reply.rail_wrench
-        values = [1e-9 * request.time, request.x, request.y, request.yaw, request.lateral_velocity, request.yaw_rate,
-                  reply.rotation, reply.wheelset.position.z, reply.wheelset.roll, request.force_z, request.torque_x,
-                  wrench.force.y, wrench.torque.z, friction_power(reply)]
-        for side in SIDES:
-            values += _wheel([patch for patch in reply.patches if patch.side == side])
-        self._write([f"{value:.9g}" for value in (*values, is_held)])
-
-    def _write(self, row):
-        with writing(self._path):
-            self._writer.writerow(row)
+def _row(request, reply, is_held):
+    """Values of a step: the request at its start, and the contact in the step."""
+    wrench, pose = reply.rail_wrench, reply.wheelset
+    wheels = [value for side in SIDES for value in _wheel([patch for patch in reply.patches if patch.side == side])]
+    return (1e-9 * request.time, request.x, request.y, request.yaw, request.lateral_velocity, request.yaw_rate, reply.rotation,
+            pose.position.z, pose.roll, request.force_z, request.torque_x, wrench.force.y, wrench.torque.z,
+            friction_power(reply), *wheels, is_held)
 
 
 def _wheel(patches):
-    """Values of the columns WHEEL from the contacts of a wheel; the friction is that on the wheel along x and y of the track."""
+    """Values of the columns WHEEL; the friction is that on the wheel, along x and y of the track."""
     force = sum(patch.normal_force for patch in patches)
     radius = sum(patch.normal_force * patch.rolling_radius for patch in patches) / force if force > 0 else math.nan
     return (force, radius, sum(patch.creep.force_x for patch in patches),

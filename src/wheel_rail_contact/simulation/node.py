@@ -1,8 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The contact calculation of a running node: over its topics, or over its service.
-
-Results have the names of the Python module, as those in process. The program calls rospy.init_node().
-"""
+"""The contact calculation of a running node: over its topics, or over its service. The program calls rospy.init_node()."""
 import math
 import threading
 from types import SimpleNamespace
@@ -30,10 +27,7 @@ class ServiceContact:
     """A contact node, over its service `evaluate` with one persistent connection."""
 
     def __init__(self, node, frame):
-        """Waits for the service. node: name of the contact node. frame: its parameter track/frame.
-
-        Raises Failure if there is no service within a minute, or the node expects another load.
-        """
+        """Waits for the service of a contact node; frame: its parameter track/frame. Raises Failure if it expects another load."""
         self._name, self._frame = rospy.resolve_name(f"{node}/evaluate"), frame
         try:
             rospy.wait_for_service(self._name, MINUTE)
@@ -59,29 +53,27 @@ class TopicContact:
         self._publishers = [rospy.Publisher(f"wheelset/{name}", kind, queue_size=QUEUE_SIZE, tcp_nodelay=True)
                             for name, kind in (("pose", PoseStamped), ("twist", TwistStamped), ("load", WrenchStamped))]
         # Without tcp_nodelay, each result may wait for up to 40 ms in the socket.
-        self._subscriber = rospy.Subscriber(f"{node}/contact", WheelsetContact, self._receive, queue_size=QUEUE_SIZE,
-                                            tcp_nodelay=True)
+        self._topic = rospy.Subscriber(f"{node}/contact", WheelsetContact, self._receive, queue_size=QUEUE_SIZE,
+                                       tcp_nodelay=True).resolved_name
         # Messages are lost until all connections exist: trial states are sent until the first result.
-        attempts = round(MINUTE / ATTEMPT)
-        if not any(self._result(Request(time=(i - attempts) * 10**9, force_z=TRIAL_FORCE), ATTEMPT) for i in range(attempts)):
-            raise Failure(f"no result on {self._subscriber.resolved_name} within a minute")
+        times = range(-MINUTE * 10**9, 0, round(ATTEMPT * 1e9))
+        if not any(self._has_result(Request(time=time, force_z=TRIAL_FORCE), ATTEMPT) for time in times):
+            raise Failure(f"no result on {self._topic} within a minute")
 
     def evaluate(self, request):
-        result = self._result(request, RESULT_WAIT)
-        if not result:
-            raise Failure(f"no result on {self._subscriber.resolved_name} within {RESULT_WAIT} s")
-        return reply_of(result)
+        if not self._has_result(request, RESULT_WAIT):
+            raise Failure(f"no result on {self._topic} within {RESULT_WAIT} s")
+        return reply_of(self._latest)
 
-    def _result(self, request, seconds):
-        """Sends a state, and returns its result, or None if there is none in this time."""
+    def _has_result(self, request, seconds):
+        """Sends a state; whether its result, in `_latest`, is here within this time [s]."""
         message = message_of(request, self._frame)
         with self._arrived:
             self._latest = None  # that of an earlier request of this step has the same stamp
             for publisher, part in zip(self._publishers, (message.pose, message.twist, message.load)):
                 publisher.publish(part)
             stamp = message.pose.header.stamp
-            self._arrived.wait_for(lambda: self._latest and self._latest.header.stamp == stamp, seconds)
-            return self._latest if self._latest and self._latest.header.stamp == stamp else None
+            return self._arrived.wait_for(lambda: self._latest and self._latest.header.stamp == stamp, seconds)
 
     def _receive(self, message):
         with self._arrived:
@@ -92,21 +84,16 @@ class TopicContact:
 def require_load(node):
     """Raises Failure if the parameters of a node expect another load than that of the example."""
     name = rospy.resolve_name(node)
-    defaults = {"wheelset/balance": "wheel_loads", "wheelset/free": ["z", "roll"], "creep/method": "none",
-                "creep/rotation": "free", "track/displacement": "none", "rail_bending/neighbours": []}
 
-    def value_of(parameter):
-        value = rospy.get_param(f"{name}/{parameter}", defaults[parameter])
-        return f"[{', '.join(map(str, value))}]" if isinstance(value, list) else str(value)
+    def value_of(parameter, default):
+        value = rospy.get_param(f"{name}/{parameter}", default)
+        return f"[{', '.join(map(str, value))}]" if isinstance(value, list) else value
 
     require_suitable(value_of, prefix=f"{name}/")
 
 
 def message_of(request, frame):
-    """Pose and velocity of the axle in the track frame, and load on its centre in track axes, with one stamp.
-
-    Height, roll and rotation are zero: they are results.
-    """
+    """Pose, velocity and load of the axle with one stamp. Height, roll and rotation are zero: they are results."""
     message = EvaluateWheelsetRequest()
     for part in (message.pose, message.twist, message.load):
         part.header.stamp, part.header.frame_id = rospy.Time(0, FIRST_STAMP + request.time), frame
@@ -120,19 +107,16 @@ def message_of(request, frame):
 
 def reply_of(message):
     """Result of a node, with the names of the Python module; only what the example uses."""
+    patches = [SimpleNamespace(side=SIDES[patch.side], pose=_with_roll(patch.pose), normal_force=patch.normal_force,
+                               rolling_radius=patch.rolling_radius, creep=patch.creep) for patch in message.patches]
     return SimpleNamespace(
         usable=message.status in USABLE, status=STATUSES[message.status], status_text=message.status_text,
         wheelset=_with_roll(message.wheelset), rotation=message.rotation, rail_wrench=message.rail_wrench,
-        left_rail=message.left_rail, right_rail=message.right_rail, patches=[_patch_of(patch) for patch in message.patches])
-
-
-def _patch_of(patch):
-    return SimpleNamespace(side=SIDES[patch.side], pose=_with_roll(patch.pose), normal_force=patch.normal_force,
-                           rolling_radius=patch.rolling_radius, creep=patch.creep)
+        left_rail=message.left_rail, right_rail=message.right_rail, patches=patches)
 
 
 def _with_roll(pose):
-    """Pose with its rotation about x [rad]; it is rotated about x and z only."""
+    """Position, and rotation about x [rad] of a pose that is rotated about x and z only."""
     q = pose.orientation
     roll = math.atan2(2 * (q.w * q.x + q.y * q.z), 1 - 2 * (q.x * q.x + q.y * q.y))
-    return SimpleNamespace(position=pose.position, orientation=q, roll=roll)
+    return SimpleNamespace(position=pose.position, roll=roll)

@@ -9,11 +9,7 @@ Lateral displacement y and yaw have inertia. Height, roll and the rotation W abo
   torque_x  = -2 k_z b_s^2 roll - I_x roll_line'' + I_y W yaw'
 
 Y and M_z are whole forces of the rails: normal forces and friction. The last terms are gyroscopic moments and the inertia on a
-line; z_line and roll_line are those of the rails by the line.
-
-A step solves for the new velocities, with the contact at the old y and the new yaw: m (v_new - v_old) = step F(v_new). Reason:
-the damping by friction grows as 1/V. At 2 m/s it is 10000 1/s for y' and yaw', which an explicit step of 1 ms does not resolve.
-The step adds no damping to the kinematic oscillation or to that on the springs.
+line; z_line and roll_line are those of the rails by the line. doc/co_simulation.md describes the step.
 """
 from typing import NamedTuple
 
@@ -62,18 +58,23 @@ class Wheelset:
         self._change = np.zeros(2)      # of the velocities in the last step
         self._correction = np.eye(2)    # change of the velocities by a residual
 
-    def request(self):
-        """State at the start of the next step, and its load."""
-        return self._request(self.velocity, self.position[1])
+    def request(self, velocity=None):
+        """State at the start of the next step, or in a step that ends with `velocity`: the yaw is then that at its end."""
+        time, new, last, before = self.steps * self._time_step, *self._line
+        inertia = self.w["line_inertia"] * self._inertia * (new - 2 * last + before) / self._step ** 2
+        yaw = self.position[1] if velocity is None else self.position[1] + self._step * velocity[1]
+        y_rate, yaw_rate = self.velocity if velocity is None else velocity
+        return Request(time, self.run["start"] + self.run["speed"] * 1e-9 * time, self.position[0], yaw, self.run["speed"], y_rate,
+                       yaw_rate, -self.w["axle_load"] - inertia[0],
+                       -self._roll_stiffness * self._roll - inertia[1] + self._spin_momentum * yaw_rate)
 
     def advance(self, contact):
-        """Advances the motion by one step with a HeldContact, and returns the contact in the step.
+        """Advances the motion by one step with a HeldContact, and returns the contact in the step. Raises Failure.
 
-        The iteration is Newton's for the new velocities, with the derivatives of an earlier step while these suffice: one to
-        three contacts per step. Raises Failure if it does not converge.
+        Newton's iteration for the new velocities, with the derivatives of an earlier step while these suffice.
         """
         velocity, last, share = self.velocity + self._change, np.zeros(2), 1.0
-        reply = contact.evaluate(self._request_with(velocity))
+        reply = contact.evaluate(self.request(velocity))
         self._add_line(reply.left_rail.given_vertical, reply.right_rail.given_vertical)
         for i in range(MOST_ITERATIONS):
             residual = self._residual(velocity, reply)
@@ -89,19 +90,8 @@ class Wheelset:
                 self._correction = self._differentiate(velocity, residual, contact)
                 change = self._correction @ residual
             velocity, last = velocity + change, change
-            reply = contact.evaluate_again(self._request_with(velocity))
+            reply = contact.evaluate_again(self.request(velocity))
         raise Failure(f"the velocities of the wheelset do not converge in a step of {self._step:g} s")
-
-    def _request_with(self, velocity):
-        """State of the contact in a step with these new velocities: the yaw is that at its end."""
-        return self._request(velocity, self.position[1] + self._step * velocity[1])
-
-    def _request(self, velocity, yaw):
-        time, new, last, before = self.steps * self._time_step, *self._line
-        inertia = self.w["line_inertia"] * self._inertia * (new - 2 * last + before) / self._step ** 2
-        return Request(time, self.run["start"] + self.run["speed"] * 1e-9 * time, self.position[0], yaw,
-                       self.run["speed"], *velocity, -self.w["axle_load"] - inertia[0],
-                       -self._roll_stiffness * self._roll - inertia[1] + self._spin_momentum * velocity[1])
 
     def _residual(self, velocity, reply):
         """Velocities after the step, with the forces of the rails for `velocity`, less `velocity`."""
@@ -114,7 +104,7 @@ class Wheelset:
         """Change of the velocities by a residual, from the derivatives of the residual."""
         columns = []
         for shift in DIFFERENCE * self.run["speed"] * np.eye(2):
-            reply = contact.evaluate_again(self._request_with(velocity + shift))
+            reply = contact.evaluate_again(self.request(velocity + shift))
             columns.append((self._residual(velocity + shift, reply) - residual) / shift.sum())
         return -np.linalg.inv(np.array(columns).T)
 
