@@ -40,10 +40,9 @@ def friction_power(reply):
 
 
 class Summary:
-    """What happened in a run."""
+    """What happened in a run at a speed [m/s]."""
 
     def __init__(self, speed):
-        """speed: running speed [m/s]"""
         self._speed, self._rows, self._seconds = speed, [], []
         self.saturated = 0  # steps in which the friction of a contact was at its limit
         self.held = 0       # steps with the contact of an earlier one, because there was no usable result

@@ -61,9 +61,12 @@ class TopicContact:
             raise Failure(f"no result on {self._topic} within a minute")
 
     def evaluate(self, request):
-        if not self._has_result(request, RESULT_WAIT):
-            raise Failure(f"no result on {self._topic} within {RESULT_WAIT} s")
-        return reply_of(self._latest)
+        try:
+            if self._has_result(request, RESULT_WAIT):
+                return reply_of(self._latest)
+        except rospy.ROSException as error:  # rosnode kill
+            raise Failure(error) from error
+        raise Failure(f"no result on {self._topic} within {RESULT_WAIT} s")
 
     def _has_result(self, request, seconds):
         """Sends a state; whether its result, in `_latest`, is here within this time [s]."""

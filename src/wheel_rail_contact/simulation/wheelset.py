@@ -19,8 +19,7 @@ from ..command import Failure
 from .parameters import step_nanoseconds
 
 MOST_ITERATIONS = 20
-# After these the derivatives are kept, and changes that point back halved: where a contact takes other cells, the force jumps.
-NEWTON_ITERATIONS = 4
+NEWTON_ITERATIONS = 4  # then derivatives are kept, and changes that point back halved: with other cells the force jumps
 TOLERANCE = 1e-6      # of the velocities of y, and of yaw at 1 m, over the running speed
 DIFFERENCE = 1e-5     # for the derivatives, of the same velocities
 SLOW = 0.3            # share that is left of a change, from which the derivatives are renewed
