@@ -45,7 +45,7 @@ struct DirectSolution
     const Eigen::ArrayXXd raised = gap_at(0, move), moved = gap_at(move, 0);
     ColumnNormals normals;
     normals.turn.resize(grid.ny);
-    std::transform(columns.begin(), columns.end(), normals.turn.begin(), [](const auto& one) { return one.angle(); });
+    std::transform(columns.begin(), columns.end(), normals.turn.data(), [](const auto& one) { return one.angle(); });
     const Eigen::ArrayXXd pressure = problems::DenseActiveSet(problem, {normals}).solve().pressure.front();
     up = grid.cellArea() / move * (pressure * (raised - problem.patches[0].gap)).sum();
     inward = -grid.cellArea() / move * (pressure * (moved - problem.patches[0].gap)).sum();
