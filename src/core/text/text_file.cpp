@@ -142,8 +142,15 @@ std::string contentOf(const std::string& path, std::size_t largest)
 }
 }  // namespace
 
+/// Path for a message, which a NUL would end.
+static std::string printable(std::string path)
+{
+  std::replace(path.begin(), path.end(), '\0', '?');
+  return path;
+}
+
 FileError::FileError(const std::string& file, std::size_t line, const std::string& reason)
-    : std::runtime_error(file + (line > 0 ? ":" + std::to_string(line) : "") + ": " + reason),
+    : std::runtime_error(printable(file) + (line > 0 ? ":" + std::to_string(line) : "") + ": " + reason),
       file_(file),
       line_(line),
       reason_(reason)

@@ -60,6 +60,8 @@ TEST(LoadProfile, ContentDeterminesTheFileFormat)
   EXPECT_TRUE(contains(refusalOf<FileError>([] { loadProfile("S1003", ProfileKind::wheel); }),
                        "neither the name of a standard profile"));
   expectRejected(folder.path("missing.csv"), ProfileKind::rail, 0, "no such file");
+  const auto cut = thrownBy<FileError>([] { readProfile({"a\0b", 3}, ProfileKind::rail); });
+  EXPECT_STREQ(cut.what(), "a?b: no such file");
 }
 
 TEST(TableProfile, TitlesDetermineTheUnit)
