@@ -23,6 +23,7 @@ constexpr std::array<const char*, PairingCounts::reasons> drop_names{
     "stamp 0, which means that the stamp is unknown",
     "no load before and after it within sync/longest_gap",
     "load not needed, because no pose is next to it"};
+constexpr const char* truncated_name = "truncated or damaged";
 
 template <typename Counts>
 std::uint64_t total(const Counts& counts)
@@ -130,7 +131,7 @@ std::uint64_t ContactStatistics::usable() const
 
 std::uint64_t ContactStatistics::dropped() const
 {
-  return total(pairing.dropped) - pairing[DropReason::unneeded] + overload;
+  return total(pairing.dropped) - pairing[DropReason::unneeded] + truncated + overload;
 }
 
 std::string droppedBetween(const ContactStatistics& before, const ContactStatistics& now)
@@ -144,6 +145,7 @@ std::string droppedBetween(const ContactStatistics& before, const ContactStatist
     const bool is_loss = reason != DropReason::unneeded;
     add(is_loss ? now.pairing[reason] - before.pairing[reason] : 0, dropText(reason, now.pairing));
   }
+  add(now.truncated - before.truncated, truncated_name);
   add(now.overload - before.overload, "pairs too many for the speed of the node");
   return text;
 }
@@ -158,6 +160,7 @@ void diagnose(const ContactStatistics& now, const ContactStatistics& before,
   {
     report.add(std::string("messages dropped: ") + drop_names[i], now.pairing.dropped[i]);
   }
+  report.add(std::string("messages dropped: ") + truncated_name, now.truncated);
   report.add("inputs dropped: overload", now.overload);
   report.add("results", now.evaluated());
   for (std::uint8_t status = 0; status < ContactStatistics::statuses; ++status)

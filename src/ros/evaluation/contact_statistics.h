@@ -35,6 +35,7 @@ struct ContactStatistics
   static constexpr std::size_t statuses = 8;  ///< number of status constants
 
   PairingCounts pairing;                          ///< single messages
+  std::uint64_t truncated = 0;                    ///< messages that end early, or contain false sizes
   std::uint64_t overload = 0;                     ///< inputs that newer ones pushed out of the queue
   std::array<std::uint64_t, statuses> results{};  ///< by status constant of the message WheelsetContact
   std::uint64_t held = 0;                         ///< results with the forces of the last usable one (HoldLast)

@@ -21,6 +21,29 @@ constexpr std::uint32_t marker_queue_size = 2;  ///< small, because old markers 
 constexpr double diagnostics_period = 1.0;      ///< [s]
 constexpr double warning_period = 10.0;         ///< shortest time between two warnings [s]
 
+/// Passes damaged messages to a function. roscpp would log each one, and count none.
+template <typename Message>
+struct DamageFinder : ros::SubscriptionCallbackHelperT<const boost::shared_ptr<const Message>&>
+{
+  using Helper = ros::SubscriptionCallbackHelperT<const boost::shared_ptr<const Message>&>;
+  using Helper::Helper;
+
+  ros::VoidConstPtr deserialize(const ros::SubscriptionCallbackHelperDeserializeParams& message) override
+  {
+    try
+    {
+      return Helper::deserialize(message);
+    }
+    catch (const std::exception&)  // truncated, or a size for which there is no memory
+    {
+      damaged();
+      return {};
+    }
+  }
+
+  std::function<void()> damaged;
+};
+
 ContactServer::ContactServer(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
     : nh_(nh),
       private_nh_(private_nh),
@@ -158,6 +181,9 @@ void ContactServer::subscribeAtOnce(const std::string& topic,
                                     const boost::function<void(const boost::shared_ptr<const Message>&)>& receive)
 {
   auto options = ros::SubscribeOptions::create<Message>(topic, queue_size, receive, nullptr, &immediate_);
+  const auto helper = boost::make_shared<DamageFinder<Message>>(receive);
+  helper->damaged = [this, topic] { countDamaged(topic); };
+  options.helper = helper;
   options.transport_hints = ros::TransportHints().tcpNoDelay();
   subscribers_.push_back(nh_.subscribe(options));
 }
@@ -224,6 +250,14 @@ void ContactServer::warn(const std::string& beyond_linear_range)
     ROS_WARN("%s: %s", private_nh_.getNamespace().c_str(), beyond_linear_range.c_str());
     next_warning_ = ros::WallTime::now() + ros::WallDuration(warning_period);
   }
+}
+
+void ContactServer::countDamaged(const std::string& topic)
+{
+  ROS_WARN_THROTTLE(warning_period, "%s: a message on %s is truncated or damaged, and is dropped",
+                    private_nh_.getNamespace().c_str(), nh_.resolveName(topic).c_str());
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ++statistics_.truncated;
 }
 
 /// Warns at the first message whose stamp is 0.

@@ -72,6 +72,7 @@ class ContactServer
   void reportUnevaluated();
   void evaluate(const ContactInput& input);
   void warn(const std::string& beyond_linear_range);
+  void countDamaged(const std::string& topic);
   void warnOfMissingStamp(InputTopic topic, const ros::Time& stamp);
   bool pictureIsDue();
   void publishMarkers(const ContactOutput& output);
