@@ -3,6 +3,7 @@
 #include <roslz4/lz4s.h>
 
 #include <algorithm>
+#include <memory>
 #include <new>
 #include <utility>
 
@@ -22,7 +23,7 @@ void refuseDamagedIf(bool damaged)
 }
 
 /// Decompresses bz2 data. The buffer grows with the content, because the size in a damaged header may be far too large.
-std::string unpackedBz2(std::string data, std::size_t size)
+std::string unpackedBz2(std::string data, std::size_t size, ExpandedSize& expanded)
 {
   std::string content;
   bz_stream stream = {};
@@ -32,11 +33,14 @@ std::string unpackedBz2(std::string data, std::size_t size)
   {
     throw std::bad_alloc();
   }
+  const std::unique_ptr<bz_stream, decltype(&BZ2_bzDecompressEnd)> end(&stream, BZ2_bzDecompressEnd);
   int state = BZ_OK;
   std::size_t done = 0;
   while (state == BZ_OK && done < size)
   {
-    content.resize(std::min(size, std::max(bz2_step, 2 * done)));
+    const std::size_t next = std::min(size, std::max(bz2_step, 2 * done));
+    expanded.add(next - done);
+    content.resize(next);
     stream.next_out = &content[done];
     stream.avail_out = static_cast<unsigned int>(content.size() - done);
     state = BZ2_bzDecompress(&stream);
@@ -46,12 +50,11 @@ std::string unpackedBz2(std::string data, std::size_t size)
     }
     done = content.size() - stream.avail_out;
   }
-  BZ2_bzDecompressEnd(&stream);
   refuseDamagedIf(state != BZ_STREAM_END || done != size);
   return content;
 }
 
-std::string unpackedLz4(std::string data, std::size_t size)
+std::string unpackedLz4(std::string data, std::size_t size, ExpandedSize& expanded)
 {
   refuseDamagedIf(size > lz4_largest_ratio * data.size());
   std::string content(size, '\0');
@@ -59,11 +62,20 @@ std::string unpackedLz4(std::string data, std::size_t size)
   refuseDamagedIf(roslz4_buffToBuffDecompress(data.data(), static_cast<unsigned int>(data.size()), content.data(),
                                               &length) != ROSLZ4_OK ||
                   length != size);
+  expanded.add(size);
   return content;
 }
 }  // namespace
 
-std::string decompressed(const std::string& compression, std::string data, std::size_t size)
+void ExpandedSize::add(std::uint64_t size)
+{
+  is_over_ = is_over_ || size > limit_ - sum_;
+  refuseBagIf(is_over_, "the decompressed chunks would exceed ", limit_ >> 20U,
+              " MiB; it and the following chunks are not read (--expand-up-to)");
+  sum_ += size;
+}
+
+std::string decompressed(const std::string& compression, std::string data, std::size_t size, ExpandedSize& expanded)
 {
   refuseBagIf(size > largest_record, "its header gives a size above 256 MiB");
   if (compression == "none")
@@ -72,11 +84,11 @@ std::string decompressed(const std::string& compression, std::string data, std::
   }
   if (compression == "bz2")
   {
-    return unpackedBz2(std::move(data), size);
+    return unpackedBz2(std::move(data), size, expanded);
   }
   if (compression == "lz4")
   {
-    return unpackedLz4(std::move(data), size);
+    return unpackedLz4(std::move(data), size, expanded);
   }
   throw BagError("unknown compression '" + compression + "'");
 }

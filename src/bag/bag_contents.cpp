@@ -104,7 +104,7 @@ class Scan
   /// @param end position at which the records end [B]
   /// @param contents of the index
   Scan(const BagFile& file, const TopicFilter& wanted, std::uint64_t end, BagContents contents = {})
-      : file_(file), wanted_(wanted), end_(end), contents_(std::move(contents))
+      : file_(file), wanted_(wanted), end_(end), contents_(std::move(contents)), expanded_(file.mostExpanded())
   {
   }
 
@@ -114,7 +114,7 @@ class Scan
     contents_.fault = fault;
     try
     {
-      while (position < end_)
+      while (position < end_ && !expanded_.isOver())
       {
         position = take(position);
       }
@@ -124,7 +124,10 @@ class Scan
       contents_.fault +=
           "; it is unreadable from byte " + std::to_string(position) + " of " + std::to_string(file_.size()) + " on";
     }
-    finishChunk();
+    if (!expanded_.isOver())
+    {
+      finishChunk();
+    }
     return std::move(contents_);
   }
 
@@ -228,7 +231,7 @@ class Scan
   /// @param with_messages true: also reads the times and numbers of its messages, if the chunk has no index records
   void scanChunk(BagChunk& chunk, bool with_messages)
   {
-    forEachRecord(chunkRecords(file_, chunk),
+    forEachRecord(chunkRecords(file_, chunk, expanded_),
                   [&](const BagRecord& record)
                   {
                     if (record.header.op() == BagOp::connection)
@@ -249,6 +252,7 @@ class Scan
   const TopicFilter& wanted_;
   std::uint64_t end_;  ///< of the records [B]
   BagContents contents_;
+  ExpandedSize expanded_;
   BagChunk chunk_;             ///< chunk to which the current index records belong
   bool in_chunk_ = false;      ///< `chunk_` is valid
   bool indexed_ = false;       ///< its index records contain messages
@@ -308,7 +312,7 @@ BagContents readContents(const BagFile& file, const TopicFilter& wanted, const B
       .run(unlisted, "the index of the bag does not list the records from byte " + std::to_string(unlisted) + " on");
 }
 
-std::string chunkRecords(const BagFile& file, const BagChunk& chunk)
+std::string chunkRecords(const BagFile& file, const BagChunk& chunk, ExpandedSize& expanded)
 {
   if (chunk.loose_end > 0)
   {
@@ -317,7 +321,7 @@ std::string chunkRecords(const BagFile& file, const BagChunk& chunk)
   const BagFile::Place record = file.recordAt(chunk.position);
   refuseBagIf(record.header.op() != BagOp::chunk, "there is no chunk at byte ", chunk.position);
   return decompressed(record.header.text("compression"), file.dataOf(record),
-                      record.header.number<std::uint32_t>("size"));
+                      record.header.number<std::uint32_t>("size"), expanded);
 }
 
 void addConnection(const BagFields& record_header, std::string_view data, BagContents& contents)

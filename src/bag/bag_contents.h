@@ -64,8 +64,9 @@ bool isWanted(const BagContents& contents, std::uint32_t connection, const Topic
 BagContents readContents(const BagFile& file, const TopicFilter& wanted, const BagSpan& span = {});
 
 /// Bytes of the records in a chunk, decompressed. Of loose records only the complete ones are returned.
-/// @throw BagError if the data is damaged.
-std::string chunkRecords(const BagFile& file, const BagChunk& chunk);
+/// @param expanded sum to which the size of a compressed chunk is added
+/// @throw BagError if the data is damaged, or with it the sum exceeds its limit.
+std::string chunkRecords(const BagFile& file, const BagChunk& chunk, ExpandedSize& expanded);
 
 /// Largest number of connections of a bag. The limit protects the memory from damaged bags.
 inline constexpr std::size_t most_connections = 1 << 16;

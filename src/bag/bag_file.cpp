@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <system_error>
 #include <utility>
@@ -97,13 +98,14 @@ void appendRecord(const BagFields& header, std::string_view data, std::string& b
 
 constexpr std::uint32_t longest_header = 1 << 20;  ///< a record with a longer header is damaged [B]
 
-BagFile::BagFile(const std::string& path)
+BagFile::BagFile(const std::string& path, std::uint64_t most_expanded)
     : path_(path), descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK))
 {
   struct stat status = {};
   const bool is_open = descriptor_ >= 0 && fstat(descriptor_, &status) == 0;
   refuseBagIf(!is_open, path, ": ", std::generic_category().message(errno));
   size_ = static_cast<std::uint64_t>(status.st_size);
+  most_expanded_ = most_expanded > 0 ? most_expanded : std::max(largest_record, usual_expansion * size_);
   try
   {
     refuseBagIf(!S_ISREG(status.st_mode), path + ": not a regular file");

@@ -51,6 +51,8 @@ inline constexpr std::size_t bag_header_length = 4096;
 /// Largest record that is read, and largest decompressed chunk [B]. Larger ones are regarded as damaged, to limit the
 /// memory. `rosbag record` makes chunks of 0.75 MiB by default.
 inline constexpr std::uint64_t largest_record = 1 << 28;
+/// Largest sum of the sizes of decompressed chunks: this times the size of the file, and at least largest_record.
+inline constexpr std::uint64_t usual_expansion = 100;
 /// Length of one entry (time, offset) of an index record [B].
 inline constexpr std::size_t index_entry_length = 12;
 
@@ -150,12 +152,31 @@ void forEachIndexTime(std::string_view entries, const Action& action)
 /// Appends a record to `bytes`.
 void appendRecord(const BagFields& header, std::string_view data, std::string& bytes);
 
+/// Sum of the sizes of decompressed chunks. Its limit protects the reader from small files that expand without end.
+class ExpandedSize
+{
+ public:
+  /// @param limit largest sum [B]
+  explicit ExpandedSize(std::uint64_t limit) : limit_(limit) {}
+
+  /// Adds a size [B]. @throw BagError if the sum exceeds the limit, then and for all later chunks.
+  void add(std::uint64_t size);
+  /// True if the limit was exceeded.
+  bool isOver() const { return is_over_; }
+
+ private:
+  std::uint64_t limit_, sum_ = 0;
+  bool is_over_ = false;
+};
+
 /// Content of a chunk.
 /// @param compression from the header of the chunk: none, bz2 or lz4
 /// @param data of the chunk, compressed
 /// @param size of the content, from the header of the chunk [B]
-/// @throw BagError if the data is damaged, the size exceeds largest_record or the compression is unknown.
-std::string decompressed(const std::string& compression, std::string data, std::size_t size);
+/// @param expanded sum to which the size of decompressed data is added
+/// @throw BagError if the data is damaged, the size exceeds largest_record, the sum its limit, or the compression is
+/// unknown.
+std::string decompressed(const std::string& compression, std::string data, std::size_t size, ExpandedSize& expanded);
 
 /// Compressed data of a chunk.
 /// @param compression none or lz4
@@ -167,7 +188,8 @@ class BagFile
 {
  public:
   /// @throw BagError if the file cannot be read, is not a bag of version 2.0 or is encrypted.
-  explicit BagFile(const std::string& path);
+  /// @param most_expanded largest sum of the sizes of decompressed chunks [B]; 0: see usual_expansion
+  explicit BagFile(const std::string& path, std::uint64_t most_expanded = 0);
   ~BagFile();
   BagFile(const BagFile&) = delete;
   BagFile& operator=(const BagFile&) = delete;
@@ -176,6 +198,8 @@ class BagFile
   const std::string& path() const { return path_; }
   /// Size of the file [B].
   std::uint64_t size() const { return size_; }
+  /// Largest sum of the sizes of decompressed chunks [B].
+  std::uint64_t mostExpanded() const { return most_expanded_; }
 
   /// Bytes of the file. Position and length in bytes.
   /// @throw BagError if they extend beyond the end of the file, or if `length` exceeds largest_record.
@@ -206,6 +230,6 @@ class BagFile
 
   std::string path_;
   int descriptor_;
-  std::uint64_t size_ = 0, first_record_ = 0, index_section_ = 0;
+  std::uint64_t most_expanded_ = 0, size_ = 0, first_record_ = 0, index_section_ = 0;
 };
 }  // namespace wheel_rail_contact

@@ -16,8 +16,12 @@ bool BagStream::Later::operator()(const std::unique_ptr<OpenChunk>& a, const std
   return key(*a) > key(*b);
 }
 
-BagStream::BagStream(const std::string& path, TopicFilter wanted, const BagSpan& span)
-    : wanted_(std::move(wanted)), from_(span.from), file_(path), contents_(readContents(file_, wanted_, span))
+BagStream::BagStream(const std::string& path, TopicFilter wanted, const BagSpan& span, std::uint64_t most_expanded)
+    : wanted_(std::move(wanted)),
+      from_(span.from),
+      file_(path, most_expanded),
+      contents_(readContents(file_, wanted_, span)),
+      expanded_(file_.mostExpanded())
 {
   const auto earlier = [](const BagChunk& a, const BagChunk& b) { return a.start < b.start; };
   std::stable_sort(contents_.chunks.begin(), contents_.chunks.end(), earlier);
@@ -52,7 +56,7 @@ std::optional<BagMessage> BagStream::next()
 void BagStream::openDueChunks()
 {
   const auto& chunks = contents_.chunks;
-  while (next_chunk_ < chunks.size() &&
+  while (next_chunk_ < chunks.size() && !expanded_.isOver() &&
          (open_.empty() || chunks[next_chunk_].start <= open_.front()->entries[open_.front()->next].time))
   {
     open(chunks[next_chunk_++]);
@@ -65,7 +69,7 @@ void BagStream::open(const BagChunk& chunk)
   opened->position = chunk.position;
   try
   {
-    opened->records = chunkRecords(file_, chunk);
+    opened->records = chunkRecords(file_, chunk, expanded_);
     listMessages(*opened);
   }
   catch (const BagError& error)

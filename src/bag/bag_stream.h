@@ -28,7 +28,8 @@ class BagStream
  public:
   /// @param span messages before it are skipped; messages after it are delivered
   /// @throw BagError if the file cannot be read or is not a bag. Damage further on causes no exception.
-  BagStream(const std::string& path, TopicFilter wanted, const BagSpan& span = {});
+  /// @param most_expanded see BagFile
+  BagStream(const std::string& path, TopicFilter wanted, const BagSpan& span = {}, std::uint64_t most_expanded = 0);
 
   /// Contents of the bag, as far as readable.
   const BagContents& contents() const { return contents_; }
@@ -71,6 +72,7 @@ class BagStream
   BagFile file_;
   BagContents contents_;  ///< chunks in the order of their start
   std::size_t next_chunk_ = 0;
+  ExpandedSize expanded_;
   std::vector<std::unique_ptr<OpenChunk>> open_;  ///< heap; the chunk with the earliest next message is first
   std::vector<std::string> faults_;
 };

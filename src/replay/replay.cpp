@@ -131,7 +131,8 @@ std::uint64_t warmUpStart(const ReplayOptions& options, const NodeConfig& config
   {
     return 0;
   }
-  const BagContents contents = readContents(BagFile(options.input), [](const std::string&) { return true; });
+  const BagContents contents =
+      readContents(BagFile(options.input, options.most_expanded), [](const std::string&) { return true; });
   if (!contents.fault.empty() || holdsTransforms(contents))
   {
     return 0;
@@ -139,7 +140,8 @@ std::uint64_t warmUpStart(const ReplayOptions& options, const NodeConfig& config
   const std::uint64_t start = startOf(contents);
   for (std::uint64_t lead = shortest_lead; lead < from && from - lead > start; lead *= lead_growth)
   {
-    ReplaySource before(options.input, config, options.inputs, false, {from - lead, from}, from - lead);
+    ReplaySource before(options.input, config, options.inputs, false, {from - lead, from}, from - lead,
+                        options.most_expanded);
     while (before.next())
     {
     }
@@ -175,7 +177,7 @@ Replay::Replay(ReplayOptions options)
       parameters_(replayParameters(options_)),
       config_(readNodeConfig(parameters_, "", {".", ros::package::getPath})),
       source_(options_.input, config_, options_.inputs, options_.keep_topics, options_.span,
-              warmUpStart(options_, config_)),
+              warmUpStart(options_, config_), options_.most_expanded),
       description_(replayDescription(options_, parameters_, source_.fileSize())),
       warm_up_(options_.inputs.wheelsets.size())
 {

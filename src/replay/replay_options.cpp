@@ -23,9 +23,9 @@ namespace po = boost::program_options;
 /// Beginning and end of the lines of a description that give a wheelset.
 constexpr std::string_view wheelset_line = "wheelset: ", wheelset_inputs = "/wheelset";
 
-int threadCount(const std::string& text)
+/// Value of an option that is an integer from 1 to `most`.
+int countOf(const std::string& option, const std::string& text, int most)
 {
-  constexpr int most = 1024;
   std::size_t read = 0;
   int count = 0;
   try
@@ -36,7 +36,7 @@ int threadCount(const std::string& text)
   {
   }
   core::refuseIf(read != text.size() || count < 1 || count > most,
-                 "--threads = " + text + ": must be an integer from 1 to 1024");
+                 option + " = " + text + ": must be an integer from 1 to " + std::to_string(most));
   return count;
 }
 
@@ -109,7 +109,7 @@ po::options_description describe(ReplayOptions& options)
   auto add = described.add_options();
   add("config", po::value(&options.configs)->value_name("F.yaml"),
       "parameters, applied over config/default.yaml and over the files given before");
-  add("threads", one("N", [&](const std::string& text) { options.threads = threadCount(text); }),
+  add("threads", one("N", [&](const std::string& text) { options.threads = countOf("--threads", text, 1024); }),
       "number of threads that evaluate; default: one per core");
   add("csv", po::value(&options.csv)->value_name("F.csv"),
       "also writes a table with one row per patch; the column names contain the units");
@@ -132,6 +132,10 @@ po::options_description describe(ReplayOptions& options)
   add("to", time("--to", options.span.to), "evaluates only the inputs recorded before this time [s]");
   add("tf-static", po::value(&options.tf_static)->value_name("FIRST.bag"),
       "first part of a split recording: its messages on /tf_static, which later parts lack, are read before IN.bag");
+  add("expand-up-to",
+      one("MIB", [&](const std::string& text)
+          { options.most_expanded = static_cast<std::uint64_t>(countOf("--expand-up-to", text, 1 << 30U)) << 20U; }),
+      "largest total size of the decompressed chunks of IN.bag; default: 100 times the size of the file, at least 256");
   add("keep-topics", po::bool_switch(&options.keep_topics), "copies the other messages of IN.bag");
   add("no-grids", po::bool_switch()->notifier([&](bool given) { options.grids = !given; }), "omits the pressure grids");
   add("lz4", po::bool_switch()->notifier([&](bool given) { options.compression = given ? "lz4" : "none"; }),

@@ -45,6 +45,7 @@ struct ReplayOptions
   std::string csv;                   ///< table of patches to write; empty: no table
   std::string compression = "none";  ///< of the output: none or lz4
   BagSpan span;                      ///< inputs that become complete in this span are evaluated
+  std::uint64_t most_expanded = 0;   ///< of the input, see BagFile [B]
   int threads = 1;                   ///< threads that evaluate, at least 1
   bool grids = true;                 ///< false: the pressure grids are left empty
   bool keep_topics = false;          ///< true: the other messages of the input are copied

@@ -53,12 +53,13 @@ std::string resultTopic(const std::string& wheelset)
 }
 
 ReplaySource::ReplaySource(const std::string& bag, const NodeConfig& config, const BagInputs& inputs, bool keep,
-                           const BagSpan& span, std::uint64_t warm_up)
+                           const BagSpan& span, std::uint64_t warm_up, std::uint64_t most_expanded)
     : span_(span),
       results_(resultTopics(inputs.wheelsets)),
       uses_(usesOf(config, inputs)),
       keep_(keep),
-      stream_(bag, [this](const std::string& topic) { return isRead(topic); }, {warm_up, span.to})
+      stream_(
+          bag, [this](const std::string& topic) { return isRead(topic); }, {warm_up, span.to}, most_expanded)
 {
   for (std::size_t i = 0; i < inputs.wheelsets.size(); ++i)
   {

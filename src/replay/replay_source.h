@@ -49,11 +49,12 @@ class ReplaySource
   /// @param keep true: all messages are also delivered for copying, except earlier results of the same wheelsets
   /// @param span inputs that become complete in this span are delivered
   /// @param warm_up recording time at which reading begins, at or before the span [ns]; see warmUpStart()
+  /// @param most_expanded see BagFile
   /// @throw BagError if the bag cannot be read, or if a topic is missing or has the wrong type.
   /// @throw std::invalid_argument if a neighbour is one of the wheelsets of this run, or if a topic is named that the
   /// configuration does not require.
   ReplaySource(const std::string& bag, const NodeConfig& config, const BagInputs& inputs, bool keep,
-               const BagSpan& span = {}, std::uint64_t warm_up = 0);
+               const BagSpan& span = {}, std::uint64_t warm_up = 0, std::uint64_t most_expanded = 0);
 
   /// The next input to evaluate, or message to copy; empty at the end.
   std::optional<ReplayItem> next();

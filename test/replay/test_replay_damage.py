@@ -131,6 +131,21 @@ class DamagedBags(ReplayCase):
         bag.write_bytes(content[:-200])  # the index is cut off
         self.assertEqual(self.results_of_damaged(bag, f"the chunk at byte {first_chunk}", "--keep-topics"), self.expected[:100])
 
+    def test_chunks_are_read_up_to_the_limit_of_their_total_size(self):
+        bag = self.folder / "expanding.bag"
+        with rosbag.Bag(str(bag), "w", chunk_threshold=CHUNK, compression="bz2") as file:
+            write_pairs(file, 100)
+            file.flush()
+            for i in range(3):
+                file.write("/remark", String(2**20 * "."), stamp(200 + i))
+        for name, content in (("indexed", bag.read_bytes()), ("cut", bag.read_bytes()[:-200])):
+            bag.write_bytes(content)
+            out, printed = self.replay(bag, f"{name}.bag", "--no-grids", "--keep-topics", "--expand-up-to", 1, status=DAMAGED)
+            self.assertEqual(printed.count("the decompressed chunks would exceed 1 MiB"), 1)
+            self.assertEqual(self.results(out), self.expected[:100])
+            out, _ = self.replay(bag, f"{name}_all.bag", "--no-grids", "--keep-topics", status=0 if name == "indexed" else DAMAGED)
+            self.assertEqual(len(self.results(out, "/remark")), 3)
+
     def test_bag_without_readable_topics_is_reported_with_reason(self):
         bag = self.make_bag(250, "cut.bag", chunk_threshold=CHUNK, compression="bz2")
         with open(bag, "r+b") as file:
