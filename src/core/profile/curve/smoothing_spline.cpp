@@ -162,8 +162,9 @@ class PenalisedFit
   {
     std::vector<std::size_t> found;
     std::size_t left_out = 0;
-    for (std::size_t first = 0; first + stretch <= samples_.size(); first += stretch)
+    for (std::size_t next = 0; next < samples_.size() && samples_.size() >= stretch; next += stretch)
     {
+      const std::size_t first = std::min(next, samples_.size() - stretch);  // the last stretch ends with the curve
       const bool is_off = meanSquare(first, first + stretch, false) > kinked * target;
       left_out += is_off || !counts_[first] ? stretch : 0;
       if (is_off)
