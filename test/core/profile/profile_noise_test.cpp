@@ -176,6 +176,26 @@ TEST(Smoothing, AveragesACloudOfPoints)
     inner.resize(inner.size() - 8);
     EXPECT_LT(deviation(read.profile, inner), 20e-6);
   }
+  // A head beside the lip of its groove, which is 40 mm deep, and two strokes 3 mm apart.
+  const Profile head = rail60E1();
+  std::uniform_real_distribution<double> share(0, 1);
+  std::vector<Point> grooved, twice;
+  for (int i = 0; i < 22000; ++i)
+  {
+    const CurvePoint p = head.at(head.length() * share(random));
+    const double s = 92.8e-3 * share(random);  // along lip, wall and floor
+    twice.push_back({p.y, p.z - (i % 2) * 3e-3});
+    grooved.push_back(i % 2 == 0  ? Point{p.y, p.z}
+                      : s < 20e-3 ? Point{s - 90e-3, 0}
+                      : s < 60e-3 ? Point{-70e-3, 20e-3 - s}
+                                  : Point{s - 130e-3, -40e-3});
+  }
+  const DescribedProfile running = describedProfile(folder.write("grooved.csv", csv(grooved)), ProfileKind::rail);
+  EXPECT_TRUE(contains(running.report.text, "omitted what lies beside the head"));
+  std::vector<Point> crown = pointsOf(head);
+  crown.erase(std::remove_if(crown.begin(), crown.end(), [](const Point& p) { return p.z < -12e-3; }), crown.end());
+  EXPECT_LT(deviation(running.profile, crown), 20e-6);
+  EXPECT_THROW(readProfile(folder.write("twice.csv", csv(twice)), ProfileKind::rail), FileError);
 }
 
 TEST(ShapeError, CoversTheErrorOfTheCurvature)

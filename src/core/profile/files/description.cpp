@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <sstream>
@@ -149,6 +150,21 @@ void reduce(double scale, std::vector<ProfileSection>& sections, std::vector<Sam
   }
 }
 
+/// What a refusal says of the scale of a model, or of points that are as wide as those of one.
+std::string modelHint(const FileProfile& content, const ProfileReading& reading)
+{
+  constexpr double least = 0.003, most = 0.040;  // width of the points of a model [m]
+  const auto [left, right] = std::minmax_element(content.points.begin(), content.points.end(), isFartherInward);
+  const double width = content.points.empty()
+                           ? 0
+                           : (right->y - left->y) * reading.scale * content.unit.value_or(reading.unit.value_or(0));
+  return reading.scale < 1 ? formatted(" (lengths of the points of this 1:%.3g model in full size%s)",
+                                       1 / reading.scale, width > most ? ": are the points those of full size?" : "")
+         : width > least && width < most
+             ? "; a model is recognised by its wheelset/rolling_radius and track/gauge (check_profile --scale)"
+             : "";
+}
+
 /// @throw std::invalid_argument if an option is out of range.
 void checkReading(const ProfileReading& reading)
 {
@@ -183,10 +199,7 @@ DescribedProfile profileOf(const TextFile& file, FileProfile content, ProfileKin
   }
   catch (const FileError& error)
   {
-    file.refuse(error.line(), error.reason() + (scale == 1 ? ""
-                                                           : formatted(" (lengths of the points of this 1:%.3g "
-                                                                       "model in full size)",
-                                                                       1 / scale)));
+    file.refuse(error.line(), error.reason() + modelHint(content, reading));
   }
   const std::string name = std::filesystem::path(file.path()).filename().string();
   if (kind == ProfileKind::rail)

@@ -76,40 +76,91 @@ Points alongTheCurve(const TextFile& file, const Points& points)
                     " points run back: not in order along the profile");
   return kept;
 }
-}  // namespace
-
-std::string averageCloud(ProfileKind kind, std::vector<SampledPoint>& points)
+/// Ends of the parts of a rail's outline that grooves divide [m]: y of each groove, and infinity.
+/// @param points  from the gauge side
+std::vector<double> grooveMiddles(const Points& points)
 {
-  constexpr std::size_t least_cloud = 20000;
-  constexpr double group = 1e-4;  // of the means along the curve [m]
-  if (points.size() <= least_cloud)
+  constexpr double depth = 0.025, least_width = 0.005;  // [m]
+  const double least = std::max_element(points.begin(), points.end(), isLower)->z - depth;
+  std::vector<double> middles;
+  double last = INFINITY;
+  for (const SampledPoint& p : points)
   {
-    return "";
+    if (p.z > least)
+    {
+      if (p.y - last > least_width)
+      {
+        middles.push_back(0.5 * (p.y + last));
+      }
+      last = p.y;
+    }
   }
-  // A place from which the whole curve is seen: inside of the head of a rail; in the wheel, above the flange.
-  const auto [left, right] = std::minmax_element(points.begin(), points.end(), isFartherInward);
-  const double top = std::max_element(points.begin(), points.end(), isLower)->z;
-  const bool is_wheel = kind == ProfileKind::wheel;
-  const double y = is_wheel ? left->y + 0.025 : 0.5 * (left->y + right->y);
-  const double z = is_wheel ? top + 0.060 : top - 0.025, sign = is_wheel ? -1 : 1;
+  middles.push_back(INFINITY);
+  return middles;
+}
+
+/// Means of points over 0.1 mm of angle about a place from which the whole curve is seen, in this order.
+/// @param sign  1: the place is below the curve, -1: above it
+Points meansAround(const TextFile& file, double y, double z, double sign, Points points)
+{
+  constexpr double group = 1e-4, widest = 2e-3, most_wide = 0.02;  // along and across the curve [m]; share
   const auto angle = [=](const SampledPoint& p) { return std::atan2(p.y - y, sign * (p.z - z)); };
   std::sort(points.begin(), points.end(),
             [&](const SampledPoint& a, const SampledPoint& b) { return angle(a) < angle(b); });
   Points means;
+  std::size_t wide = 0;
   for (std::size_t i = 0; i < points.size();)
   {
     SampledPoint mean{0, 0, 1, points[i].line};
     const double begin = angle(points[i]), radius = std::hypot(points[i].y - y, points[i].z - z);
-    std::size_t count = 0;
+    const std::size_t first = i;
+    double nearest = radius, farthest = radius;
     for (; i < points.size() && (angle(points[i]) - begin) * radius < group; ++i)
     {
       mean.y += points[i].y;
       mean.z += points[i].z;
-      ++count;
+      nearest = std::min(nearest, std::hypot(points[i].y - y, points[i].z - z));
+      farthest = std::max(farthest, std::hypot(points[i].y - y, points[i].z - z));
     }
-    mean.y /= static_cast<double>(count);
-    mean.z /= static_cast<double>(count);
+    mean.y /= static_cast<double>(i - first);
+    mean.z /= static_cast<double>(i - first);
+    wide += farthest - nearest > widest ? 1U : 0U;
     means.push_back(mean);
+  }
+  file.refuseIf(static_cast<double>(wide) > most_wide * static_cast<double>(means.size()), 0,
+                "more than 20000 points in any order are averaged, and these are not one curve: give them in order, or "
+                "fewer of them");
+  return means;
+}
+}  // namespace
+
+std::string averageCloud(const TextFile& file, ProfileKind kind, std::vector<SampledPoint>& points)
+{
+  constexpr std::size_t least_cloud = 20000;
+  if (points.size() <= least_cloud)
+  {
+    return "";
+  }
+  std::sort(points.begin(), points.end(), isFartherInward);
+  const auto [bottom, top] = std::minmax_element(points.begin(), points.end(), isLower);
+  Points means;
+  if (kind == ProfileKind::wheel)
+  {
+    means = meansAround(file, points.front().y + 0.025, top->z + 0.060, -1, points);  // above the flange
+  }
+  else
+  {
+    const std::vector<double> grooves = grooveMiddles(points);
+    // Inside of a head; below the floor of a groove, if there is one.
+    const double z = grooves.size() > 1 ? bottom->z - 0.005 : top->z - 0.025;
+    auto begin = points.begin();
+    for (const double groove : grooves)
+    {
+      const auto end = std::find_if(begin, points.end(), [&](const SampledPoint& p) { return p.y > groove; });
+      const Points part = meansAround(file, 0.5 * (begin->y + std::prev(end)->y), z, 1, Points(begin, end));
+      means.insert(means.end(), part.begin(), part.end());
+      begin = end;
+    }
   }
   std::string text = std::to_string(points.size()) + " points, in any order, averaged over 0.1 mm";
   points = means;

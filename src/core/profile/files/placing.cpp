@@ -164,7 +164,7 @@ PlacedPoints placedPoints(const TextFile& file, const FileProfile& content, Prof
     p.z *= z_factor;
     file.refuseIf(!std::isfinite(p.y) || !std::isfinite(p.z), p.line, "coordinate of the point is too large");
   }
-  placed.remark = averageCloud(kind, placed.points);
+  placed.remark = averageCloud(file, kind, placed.points);
   if (reading.origin)
   {
     checkOrigin(file, kind, *reading.origin);

@@ -39,7 +39,8 @@ inline bool isFartherInward(const SampledPoint& a, const SampledPoint& b)
 }
 
 /// Puts a cloud of more than 20000 points in order, and averages it along the curve [m]. @return what was done
-std::string averageCloud(ProfileKind kind, std::vector<SampledPoint>& points);
+/// @throw FileError if they are not one curve.
+std::string averageCloud(const TextFile& file, ProfileKind kind, std::vector<SampledPoint>& points);
 /// Range of y of the points at most `depth` below the highest one [m].
 std::pair<double, double> widthAt(const std::vector<SampledPoint>& points, double depth);
 /// Keeps the running head of a rail [m]: of a whole rail, of a head with its underside, and of several heads, such as
