@@ -235,15 +235,21 @@ void openFiles(const ModelFiles& files, const FileSearch& search, NodeConfig& co
   }
   if (!files.line.value.empty())
   {
-    config.model.track.line = openFile(files.line,
-                                       [&](const std::string& value)
-                                       {
-                                         std::string text;
-                                         auto line = std::make_shared<core::TrackLine>(core::readTrackLine(
-                                             search.find(value), config.model.track.gauge, files.line_reading, &text));
-                                         config.notes.push_back("track/line " + value + ": " + text);
-                                         return line;
-                                       });
+    config.model.track.line =
+        openFile(files.line,
+                 [&](const std::string& value)
+                 {
+                   core::LineReport report;
+                   auto line = std::make_shared<core::TrackLine>(
+                       core::readTrackLine(search.find(value), config.model.track.gauge, files.line_reading, &report));
+                   const std::string name = "track/line " + value + ": ";
+                   config.notes.push_back(name + report.text);
+                   for (const std::string& doubt : report.doubts)
+                   {
+                     config.warnings.push_back(name + doubt);
+                   }
+                   return line;
+                 });
   }
   if (config.model.rail_bending.model == core::RailBendingConfig::Model::compliance)
   {

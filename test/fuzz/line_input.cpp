@@ -38,8 +38,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   {
     try
     {
-      std::string understood;
-      if (!isFinite(core::readTrackLine(file, 1.435, {axes}, &understood)))
+      core::LineReport report;
+      if (!isFinite(core::readTrackLine(file, 1.435, {axes}, &report)))
       {
         std::abort();
       }

@@ -87,6 +87,13 @@ struct LineReading
   double longest_gap = 0;
 };
 
+/// What was understood of the table of a line.
+struct LineReport
+{
+  std::string text;                 ///< in one line
+  std::vector<std::string> doubts;  ///< questions: contradicting columns, constant stretches, unlikely units
+};
+
 /// Reads a line from a table, by the rules for cells, titles and missing values of the command contact_states. Units:
 /// m, cm, mm, um, in, ft, km, mi; rad, mrad, deg. A row with a missing value is dropped.
 ///
@@ -105,10 +112,10 @@ struct LineReading
 /// * Other columns are ignored, unless their names resemble one of these.
 ///
 /// @param gauge  nominal gauge, TrackConfig::gauge [m]
-/// @param understood  receives what was understood, in one line
+/// @param report  receives what was understood
 /// @throw std::invalid_argument with the file, the line and the reason; also for steps that no track has.
 TrackLine readTrackLine(const std::string& path, double gauge, const LineReading& reading = {},
-                        std::string* understood = nullptr);
+                        LineReport* report = nullptr);
 
 /// Position and inclination of the undeflected rails.
 struct TrackConfig

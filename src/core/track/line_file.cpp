@@ -51,7 +51,7 @@ class LineFile
   /// Reads all rows. Those with a missing value are dropped.
   std::vector<LineRow> rows()
   {
-    static const std::regex nines(R"([+-]?99+[.,]?9+0*)");
+    static const std::regex nines(R"([+-]?9([.,]?9){2,}[.,]?0*)");
     std::vector<LineRow> rows;
     std::size_t count = 0;
     for (TableRow cells; table_.next(cells); ++count)
@@ -80,6 +80,17 @@ class LineFile
   }
 
   const TextFile& file() const { return file_; }
+
+  /// Units of the columns [m], [rad].
+  std::array<double, columns> units() const
+  {
+    std::array<double, columns> units{};
+    for (const Used& used : used_)
+    {
+      units[used.quantity] = std::abs(used.factor);
+    }
+    return units;
+  }
 
   /// What is not used, as parts of a sentence.
   std::string remarks() const
@@ -215,8 +226,7 @@ std::string gapText(const TrackLine& line, const std::vector<LineStation>& stati
 }
 }  // namespace
 
-TrackLine readTrackLine(const std::string& path, double nominal_gauge, const LineReading& reading,
-                        std::string* understood)
+TrackLine readTrackLine(const std::string& path, double nominal_gauge, const LineReading& reading, LineReport* report)
 {
   try
   {
@@ -228,13 +238,14 @@ TrackLine readTrackLine(const std::string& path, double nominal_gauge, const Lin
     std::vector<LineStation> stations;
     std::transform(rows.begin(), rows.end(), std::back_inserter(stations), stationOf);
     TrackLine line(path, stations, reading.longest_gap > 0 ? reading.longest_gap : usualGap(stations));
-    if (understood != nullptr)
+    if (report != nullptr)
     {
-      *understood =
+      report->text =
           formatted("%zu stations from %.10g to %.10g m", stations.size(), line.begin(), line.end()) +
           (is_deviation ? formatted("; gauge as deviation from %.10g m", nominal_gauge) : "") +
           (is_reversed ? "; x decreases in the file: left and right are taken as seen towards increasing x" : "") +
           gapText(line, stations) + table.remarks();
+      report->doubts = lineDoubts(rows, table.units());
     }
     return line;
   }

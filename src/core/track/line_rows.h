@@ -73,4 +73,9 @@ bool isDeviation(std::vector<LineRow>& rows, double nominal, const TextFile& fil
 bool isReversed(std::vector<LineRow>& rows, const TextFile& file);
 /// Refuses values that no track has.
 void checkValues(const std::vector<LineRow>& rows, double nominal_gauge, const TextFile& file);
+/// Questions on rows in the order of x, each naming columns and values: a quantity that is given twice with two values,
+/// a value that stays where the others move, values and distances of stations that their unit makes implausible.
+/// @param units  of the columns as written [m], [rad]
+std::vector<std::string> lineDoubts(const std::vector<LineRow>& rows,
+                                    const std::array<double, line_quantity::columns>& units);
 }  // namespace wheel_rail_contact::core

@@ -15,6 +15,22 @@ class LineFileTest : public testing::Test
   {
     return readTrackLine(folder_.write("line.csv", table), gauge, {axes});
   }
+  /// Doubts on a measured line of 60 m, with a wave of 7 m and 3 mm, after a change of its rows in mm.
+  std::vector<std::string> doubts(const std::function<void(int, std::array<double, 4>&)>& change) const
+  {
+    std::string table = "x [m],gauge [mm],alignment_left [mm],alignment_right [mm]\n";
+    for (int i = 0; i <= 240; ++i)
+    {
+      const double wave = 3 * std::sin(2 * M_PI * 0.25 * i / 7);
+      std::array<double, 4> row{0.25 * i, 1435 + 2 * wave, wave, -wave};
+      change(i, row);
+      table += std::to_string(row[0]) + "," + std::to_string(row[1]) + "," + std::to_string(row[2]) + "," +
+               std::to_string(row[3]) + "\n";
+    }
+    LineReport report;
+    readTrackLine(folder_.write("line.csv", table), gauge, {}, &report);
+    return report.doubts;
+  }
   /// Message with which a table is refused, without the path of the file.
   std::string refusal(const std::string& table) const
   {
@@ -189,9 +205,10 @@ TEST_F(LineFileTest, TablesOfTrackRecordingCarsGiveTheSameLine)
   for (const auto& [table, understood] : tables)
   {
     SCOPED_TRACE(table);
-    std::string text;
-    const TrackLine same = readTrackLine(folder_.write("same.csv", table), gauge, {}, &text);
-    EXPECT_EQ(text, understood);
+    LineReport report;
+    const TrackLine same = readTrackLine(folder_.write("same.csv", table), gauge, {}, &report);
+    EXPECT_EQ(report.text, understood);
+    EXPECT_TRUE(report.doubts.empty());
     for (const double x : {1000.0, 1000.3, 1000.9})
     {
       constexpr double rounding = 2e-15;  // of a place, 1e-13 m, times the slope [m]
@@ -204,14 +221,15 @@ TEST_F(LineFileTest, TablesOfTrackRecordingCarsGiveTheSameLine)
 // 10 m are missing where stations are 0.25 m apart, as when a measuring car loses its signal.
 TEST_F(LineFileTest, NothingIsKnownAcrossAGap)
 {
-  std::string table = "x [m],level [mm]\n", text;
+  std::string table = "x [m],level [mm]\n";
+  LineReport report;
   for (double x = 0; x <= 20; x += 0.25)
   {
     table += x > 5 && x < 15 ? "" : std::to_string(x) + "," + std::to_string(3 * std::sin(x)) + "\n";
   }
   const std::string path = folder_.write("line.csv", table);
-  const TrackLine line = readTrackLine(path, gauge, {}, &text);
-  EXPECT_EQ(text, "42 stations from 0 to 20 m; longest gap 0.75 m, exceeded from 5 to 15 m");
+  const TrackLine line = readTrackLine(path, gauge, {}, &report);
+  EXPECT_EQ(report.text, "42 stations from 0 to 20 m; longest gap 0.75 m, exceeded from 5 to 15 m");
   EXPECT_TRUE(line.contains(5));
   EXPECT_TRUE(line.contains(15));
   EXPECT_FALSE(line.contains(std::nextafter(5, 6)));
@@ -222,6 +240,41 @@ TEST_F(LineFileTest, NothingIsKnownAcrossAGap)
   // The values beyond the gap have no effect before it: the slope at 5 m is that of the last interval.
   const TrackLine before("before", {{4.75, 1e-3, {}}, {5, 2e-3, {}}, {15, 9e-3, {}}}, 1);
   EXPECT_DOUBLE_EQ(before.at(4.875).cross_level, 1.5e-3);
+}
+
+// Once without a word: columns that contradict each other, a channel that stays, wrong units.
+TEST_F(LineFileTest, DoubtfulColumnsAreNamed)
+{
+  using Doubts = std::vector<std::string>;
+  EXPECT_EQ(doubts([](int, auto& row) { row[1] += 0.15; }), Doubts{});
+  EXPECT_EQ(
+      doubts([](int, auto& row) { row[1] = 1435; }),
+      Doubts{"'gauge' and both 'alignment' disagree by up to 6 mm: at x = 1.75 m it deviates by 0 mm from the ideal "
+             "track, they by 6 mm; 'gauge' is kept, with the mean of both"});
+  // 40 rows of a lost signal; six rows of a filler that contains no nines.
+  const Doubts frozen = doubts(
+      [](int i, auto& row) {
+        row = i > 100 && i < 140 ? std::array<double, 4>{row[0], 1436, 0.5, -0.5} : row;
+      });
+  ASSERT_EQ(frozen.size(), 3U);
+  EXPECT_EQ(frozen[1], "column 'alignment_left' is the same in 39 rows, from x = 25.25 to 34.75 m: a lost signal?");
+  const Doubts filler = doubts([](int i, auto& row) { row[1] = i > 100 && i < 107 ? 1452.5 : row[1]; });
+  ASSERT_EQ(filler.size(), 2U);
+  EXPECT_EQ(filler[1], "column 'gauge' is the same in 6 rows, from x = 25.25 to 26.5 m: a lost signal?");
+  EXPECT_EQ(doubts(
+                [](int, auto& row) {
+                  row = {row[0], 1435, 1e-3 * row[2], 1e-3 * row[2]};
+                }),
+            (Doubts{"column 'alignment_left' is at most 0.003 in its unit: another one?",
+                    "column 'alignment_right' is at most 0.003 in its unit: another one?"}));
+  for (const double scale : {1e3, 1e-3})
+  {
+    const Doubts places = doubts([&](int, auto& row) { row = {scale * row[0], 1435, 0.01 * row[2], 0.01 * row[2]}; });
+    ASSERT_EQ(places.size(), 1U);
+    EXPECT_EQ(places[0], scale > 1 ? "the stations are 249 m apart: is x in another unit?"
+                                   : "the stations are 0.000249 m apart: is x in another unit?");
+  }
+  EXPECT_THROW(doubts([](int i, auto& row) { row[2] = i > 100 && i < 110 ? -9.999 : row[2]; }), std::invalid_argument);
 }
 
 // A cant of 99.9 mm is a filler only beside other values; a roughness of 99.9 um, and 999.9 mm on the metre gauge,
