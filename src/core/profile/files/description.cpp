@@ -150,7 +150,7 @@ void reduce(double scale, std::vector<ProfileSection>& sections, std::vector<Sam
   }
 }
 
-/// What a refusal says of the scale of a model, or of points that are as wide as those of one.
+/// End of a refusal: the scale of a model, or what makes points a model that are as narrow as those of one.
 std::string modelHint(const FileProfile& content, const ProfileReading& reading)
 {
   constexpr double least = 0.003, most = 0.040;  // width of the points of a model [m]
