@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <iterator>
+#include <map>
 
 #include "core/constants.h"
 #include "core/text/formatted.h"
@@ -13,43 +15,96 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-/// Text in brackets that open at `open` and close at the end of the text; empty if its last character is not `close`.
-std::string insideBrackets(const std::string& text, std::size_t open, char close)
+constexpr const char* signs = "/_ \t";                ///< before a unit
+constexpr std::size_t longest_unit = 20;              ///< of a title, with blanks [bytes]
+constexpr double pound_force = 0.45359237 * 9.80665;  ///< of 1959, at standard gravity [N]
+
+/// Text with `to` in place of each of some signs.
+void replaceAll(std::string& text, const std::initializer_list<const char*>& from, const char* to)
 {
-  return text.back() == close ? trim(text.substr(open + 1, text.size() - open - 2)) : "";
+  for (const std::string sign : from)
+  {
+    for (std::size_t at = text.find(sign); at != std::string::npos; at = text.find(sign, at))
+    {
+      text.replace(at, sign.size(), to);
+    }
+  }
 }
 
-/// Title with the unit after the last sign of its kind; no unit if the word there is none.
-TableTitle withUnitAtEnd(const std::string& text)
+/// Spelling of a unit without what does not matter.
+std::string plainUnit(std::string text)
 {
-  const std::size_t sign = text.find_last_of("/_ \t");
-  const std::string unit = sign == std::string::npos ? "" : text.substr(sign + 1);
-  if (!isUnit(unit))
+  replaceAll(text, {"\xC2\xB5", "\xCE\xBC"}, "u");
+  replaceAll(text, {"\xC2\xBA"}, "\xC2\xB0");
+  replaceAll(text, {".", "*", "-", "\xC2\xB7", "\xE2\x8B\x85"}, " ");
+  return joined(splitWords(lowerCase(text)), " ");
+}
+
+bool isUnit(const std::string& text, bool is_shape)
+{
+  const NamedUnit* unit = unitNamed(text);
+  return unit != nullptr && (!is_shape || unitNamed(text, "length") != nullptr || unitNamed(text, "angle") != nullptr);
+}
+
+/// Title with the longest unit after a sign at its end; no unit if none is there.
+TableTitle withUnitAtEnd(const std::string& text, bool is_shape)
+{
+  const std::size_t first = text.size() - std::min(text.size(), longest_unit);
+  for (std::size_t at = text.find_first_of(signs, first); at != std::string::npos;
+       at = text.find_first_of(signs, at + 1))
   {
-    return {text, ""};
+    const std::string unit = trim(text.substr(at + 1));
+    if (isUnit(unit, is_shape))
+    {
+      const std::string name = text.substr(0, text.find_last_not_of(signs, at) + 1), in = " in";
+      const bool has_in = name.size() > in.size() && name.compare(name.size() - in.size(), in.size(), in) == 0;
+      return {trim(has_in ? name.substr(0, name.size() - in.size()) : name), unit};
+    }
   }
-  const std::size_t end = text.find_last_not_of("/_ \t", sign);
-  return {end == std::string::npos ? "" : text.substr(0, end + 1), unit};
+  return {text, ""};
 }
 }  // namespace
 
-const Units& lengthUnits()
+const std::vector<NamedUnit> table_units{{"m", 1},
+                                         {"mm", 1e-3},
+                                         {"um", 1e-6},
+                                         {"cm", 1e-2},
+                                         {"km", 1e3},
+                                         {"in", 0.0254},
+                                         {"ft", 0.3048},
+                                         {"mi", 1609.344},
+                                         {"rad", 1, "angle"},
+                                         {"mrad", 1e-3, "angle"},
+                                         {"deg", degree, "angle"},
+                                         {"s", 1, "time"},
+                                         {"ms", 1e-3, "time"},
+                                         {"us", 1e-6, "time"},
+                                         {"min", 60, "time"},
+                                         {"N", 1, "force"},
+                                         {"kN", 1e3, "force"},
+                                         {"lbf", pound_force, "force"},
+                                         {"kip", 1e3 * pound_force, "force"},
+                                         {"N m", 1, "torque"},
+                                         {"kN m", 1e3, "torque"},
+                                         {"lbf ft", 0.3048 * pound_force, "torque"},
+                                         {"m/s", 1, "velocity"},
+                                         {"mm/s", 1e-3, "velocity"},
+                                         {"km/h", 1 / 3.6, "velocity"},
+                                         {"rad/s", 1, "rate"},
+                                         {"mrad/s", 1e-3, "rate"},
+                                         {"deg/s", degree, "rate"}};
+
+const NamedUnit* unitNamed(const std::string& text, const char* kind)
 {
-  static const Units units = []
-  {
-    Units all;
-    for (const NamedUnit& unit : named_lengths)
-    {
-      all[unit.name] = unit.value;
-    }
-    all["\xC2\xB5m"] = all["\xCE\xBCm"] = all["um"];
-    all["ft"] = all["feet"] = 0.3048;  // of places along a line
-    all["km"] = 1e3;
-    all["mi"] = 1609.344;
-    all["inch"] = all["inches"] = all["in"];
-    return all;
-  }();
-  return units;
+  static const std::map<std::string, std::string> others{
+      {"sec", "s"},       {"inch", "in"},  {"inches", "in"}, {"feet", "ft"},  {"\xC2\xB0", "deg"}, {"degree", "deg"},
+      {"degrees", "deg"}, {"kips", "kip"}, {"nm", "n m"},    {"knm", "kn m"}, {"ft lbf", "lbf ft"}};
+  const std::string plain = plainUnit(text);
+  const auto other = others.find(plain);
+  const auto found = std::find_if(table_units.begin(), table_units.end(),
+                                  [&](const NamedUnit& unit)
+                                  { return lowerCase(unit.name) == (other == others.end() ? plain : other->second); });
+  return found != table_units.end() && (kind == nullptr || std::string(kind) == found->kind) ? &*found : nullptr;
 }
 
 std::string nameOfLength(double unit)
@@ -69,46 +124,34 @@ std::string millimetres(double length)
   return formatted("%.4g mm", length * 1e3);
 }
 
-const Units& angleUnits()
+std::string bareUnit(const std::string& cell)
 {
-  static const Units units{{"rad", 1}, {"mrad", 1e-3}, {"deg", degree}, {"\xC2\xB0", degree}};
-  return units;
+  const bool is_bracketed =
+      cell.size() > 1 && ((cell.front() == '[' && cell.back() == ']') || (cell.front() == '(' && cell.back() == ')'));
+  return is_bracketed ? trim(cell.substr(1, cell.size() - 2)) : cell;
 }
 
-std::optional<double> unitNamed(const Units& units, const std::string& text)
-{
-  const auto found = units.find(text);
-  const auto lower = units.find(lowerCase(text));
-  return found != units.end()   ? std::optional(found->second)
-         : lower != units.end() ? std::optional(lower->second)
-                                : std::nullopt;
-}
-
-bool isUnit(const std::string& text)
-{
-  return unitNamed(lengthUnits(), text) || unitNamed(angleUnits(), text);
-}
-
-std::vector<TableTitle> titlesIn(const std::vector<std::string>& cells)
+std::vector<TableTitle> titlesIn(const std::vector<std::string>& cells, bool is_shape)
 {
   std::vector<TableTitle> titles;
-  std::transform(cells.begin(), cells.end(), std::back_inserter(titles), titleOf);
+  std::transform(cells.begin(), cells.end(), std::back_inserter(titles),
+                 [is_shape](const std::string& cell) { return titleOf(cell, is_shape); });
   return titles;
 }
 
-TableTitle titleOf(const std::string& title)
+TableTitle titleOf(const std::string& title, bool is_shape)
 {
-  for (const char* brackets : {"[]", "()"})
+  for (const char sign : {'[', '('})
   {
-    const std::size_t open = title.find(brackets[0]);
-    const std::string unit = open == std::string::npos ? "" : insideBrackets(title, open, brackets[1]);
-    if (brackets[0] == '[' ? !unit.empty() : isUnit(unit))
+    const std::size_t open = title.rfind(sign);
+    const std::string brackets = open == std::string::npos ? "" : title.substr(open), unit = bareUnit(brackets);
+    if (unit != brackets && (sign == '[' || isUnit(unit, is_shape)))
     {
       return {trim(title.substr(0, open)), unit};
     }
   }
-  const TableTitle whole = withUnitAtEnd(title);
-  const TableTitle first = withUnitAtEnd(title.substr(0, title.find_first_of(" \t")));
+  const TableTitle whole = withUnitAtEnd(title, is_shape);
+  const TableTitle first = withUnitAtEnd(title.substr(0, title.find_first_of(" \t")), is_shape);
   return whole.unit.empty() && !first.unit.empty() ? first : whole;
 }
 }  // namespace wheel_rail_contact::core

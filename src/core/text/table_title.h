@@ -1,33 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace wheel_rail_contact::core
 {
-/// Units by name, with their value in SI units.
-using Units = std::map<std::string, double>;
-
-/// Unit of length by its usual name.
+/// Unit by its usual name.
 struct NamedUnit
 {
   const char* name;
-  double value;  ///< [m]
+  double value;  ///< in SI units
+  const char* kind = "length";
 };
 constexpr NamedUnit named_lengths[] = {{"m", 1}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}, {"in", 0.0254}};
 
-/// Units of length [m]: named_lengths, and other spellings of them.
-const Units& lengthUnits();
+/// All units of tables, those of a kind together, the SI unit first.
+extern const std::vector<NamedUnit> table_units;
+/// Unit with this spelling; null if there is none, or if it is of another kind. Case, blanks and the signs of a
+/// multiplication do not matter: mm, MM, N m, Nm, kN.m, deg, degrees, °.
+const NamedUnit* unitNamed(const std::string& text, const char* kind = nullptr);
 /// Usual name of a unit of length [m]; its value if it has none.
 std::string nameOfLength(double unit);
 /// Text of a length [m], in millimetres.
 std::string millimetres(double length);
-/// Units of angle [rad]: rad, mrad, deg (or °).
-const Units& angleUnits();
-
 /// Title of a column.
 struct TableTitle
 {
@@ -35,13 +31,12 @@ struct TableTitle
   std::string unit;  ///< as written, without its signs; empty if none is stated
 };
 
-/// Value of a unit, in upper or lower case; nothing if it is not among the units.
-std::optional<double> unitNamed(const Units& units, const std::string& text);
-/// True if the text is a unit of length or angle.
-bool isUnit(const std::string& text);
+/// Divides a title into name and unit: `y [mm]`, `y (mm)`, `y / mm`, `y in mm`, `y_mm`, or `y` alone. Text after a
+/// first word with its unit is a remark: `z_mm worn`.
+/// @param is_shape  only lengths and angles are units: `z_min` has none
+TableTitle titleOf(const std::string& title, bool is_shape);
 /// Titles in the cells of a row.
-std::vector<TableTitle> titlesIn(const std::vector<std::string>& cells);
-/// Divides a title into name and unit: `y [mm]`, `y (mm)`, `y / mm`, `y_mm`, or `y` alone. Text after a first word with
-/// its unit is a remark: `z_mm worn`.
-TableTitle titleOf(const std::string& title);
+std::vector<TableTitle> titlesIn(const std::vector<std::string>& cells, bool is_shape);
+/// Unit in a cell, without its brackets.
+std::string bareUnit(const std::string& cell);
 }  // namespace wheel_rail_contact::core

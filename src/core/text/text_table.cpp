@@ -159,21 +159,35 @@ void CellTable::rewind()
   }
 }
 
-bool takeUnits(const TextFile& file, const TableRow& row, std::vector<TableTitle>& titles)
+TableTitles readTitles(const TextFile& file, const std::vector<TableRow>& rows, std::size_t last, bool is_shape)
 {
-  const std::vector<TableTitle> units = titlesIn(row.cells);
-  const auto unit_of = [](const TableTitle& title) { return title.name.empty() ? title.unit : title.name; };
-  const bool are_units = units.size() == titles.size() &&
-                         std::all_of(units.begin(), units.end(),
-                                     [&](const TableTitle& title)
-                                     { return isUnit(unit_of(title)) && (title.name.empty() || title.unit.empty()); });
-  for (std::size_t i = 0; are_units && i < units.size(); ++i)
+  const std::vector<std::string>& cells = rows[last].cells;
+  std::size_t filled_cells = 0, known = 0, alike = 0;
+  for (const std::string& cell : cells)
   {
-    file.refuseIf(!titles[i].unit.empty() && titles[i].unit != unit_of(units[i]), row.line,
-                  "unit '" + unit_of(units[i]) + "' contradicts '" + titles[i].unit + "' in the title");
-    titles[i].unit = unit_of(units[i]);
+    const std::string unit = bareUnit(cell);
+    filled_cells += unit.empty() ? 0U : 1U;
+    known += unitNamed(unit) != nullptr ? 1U : 0U;
+    alike += unitNamed(unit) != nullptr || unit.find('/') != std::string::npos ? 1U : 0U;
   }
-  return are_units;
+  const bool are_units = last > 0 && known > 0 && 2 * alike >= filled_cells;
+  TableTitles result{{}, are_units ? last - 1 : last, are_units};
+  const std::vector<std::string>& texts = rows[result.row].cells;
+  result.titles = titlesIn(texts, is_shape);
+  for (std::size_t i = 0; are_units && i < std::min(cells.size(), texts.size()); ++i)
+  {
+    TableTitle& title = result.titles[i];
+    const std::string below = bareUnit(cells[i]);
+    const NamedUnit *own = unitNamed(title.unit), *unit = unitNamed(below);
+    if (below.empty() || below == "-" || (own != nullptr && own == unit))
+    {
+      continue;
+    }
+    file.refuseIf(own != nullptr && unit != nullptr, rows[last].line,
+                  "unit '" + below + "' contradicts '" + title.unit + "' in the title");
+    title = {title.unit.empty() || title.unit == below ? title.name : texts[i], below};
+  }
+  return result;
 }
 
 TextTable::TextTable(TextFile& file, const TitleRule& are_titles) : file_(file), cells_(file, true)
@@ -181,17 +195,18 @@ TextTable::TextTable(TextFile& file, const TitleRule& are_titles) : file_(file),
   const std::vector<TableRow>& head = cells_.head();
   if (!cells_.isHeadInComments())
   {
-    titles_ = titlesIn(head.front().cells);
+    const TableTitles below = readTitles(file_, head, head.size() > 1 ? 1 : 0, true);
+    titles_ = below.has_units ? below.titles : titlesIn(head.front().cells, true);
     title_line_ = head.front().line;
-    const std::size_t known = head.size() > 1 && takeUnits(file_, head[1], titles_) ? 2 : 1;
+    const std::size_t known = below.has_units ? 2 : 1;
     unknown_line_ = head.size() > known ? head[known].line : 0;
     return;
   }
   const auto row = std::find_if(head.rbegin(), head.rend(),
-                                [&](const TableRow& comment) { return are_titles(titlesIn(comment.cells)); });
+                                [&](const TableRow& comment) { return are_titles(titlesIn(comment.cells, true)); });
   if (row != head.rend())
   {
-    titles_ = titlesIn(row->cells);
+    titles_ = titlesIn(row->cells, true);
     title_line_ = row->line;
   }
 }

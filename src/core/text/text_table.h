@@ -67,9 +67,16 @@ class CellTable
   std::size_t first_line_ = 0;  ///< number of the line of the first row
 };
 
-/// Takes the units of titles from a row of units below them. @return false if it is none
+/// Titles of columns, with the units of a row of units below them.
+struct TableTitles
+{
+  std::vector<TableTitle> titles;
+  std::size_t row = 0;     ///< of the titles, from 0
+  bool has_units = false;  ///< the next row contains units
+};
+/// Titles in a row, or in the one before it if it contains units: at least half of its cells do, of which one is known.
 /// @throw FileError if a unit contradicts that of a title.
-bool takeUnits(const TextFile& file, const TableRow& row, std::vector<TableTitle>& titles);
+TableTitles readTitles(const TextFile& file, const std::vector<TableRow>& rows, std::size_t last, bool is_shape);
 
 /// Table of numbers. *Titles* are the first line of the head, the second one may contain their units; or they are a
 /// comment above the first row. A number may have a decimal comma where commas do not separate the columns.

@@ -40,11 +40,9 @@ class LineFile
   {
     const std::vector<TableRow>& head = table_.head();
     file_.refuseIf(head.empty(), 0, "has no titles of columns with their units, for example 'x [m], gauge [mm]'");
-    std::vector<TableTitle> titles = titlesIn(head[head.size() > 1 ? head.size() - 2 : 0].cells);
-    const bool has_units = head.size() > 1 && takeUnits(file_, head.back(), titles);
-    titles = has_units ? titles : titlesIn(head.back().cells);
-    title_line_ = head[head.size() - (has_units ? 2 : 1)].line;
-    addColumns(titles);
+    const TableTitles found = readTitles(file_, head, head.size() - 1, false);
+    title_line_ = head[found.row].line;
+    addColumns(found.titles);
     checkColumns();
   }
 
@@ -148,10 +146,10 @@ class LineFile
     refuseTitlesIf(has(column), "column '" + title.name + "' is given twice");
     refuseTitlesIf(title.unit.empty(), "column '" + title.name + "': must have a unit, for example '" + title.name +
                                            (rule->is_angle ? " [mrad]'" : " [mm]'"));
-    const std::optional<double> unit = unitNamed(rule->is_angle ? angleUnits() : lengthUnits(), title.unit);
-    refuseTitlesIf(!unit, "column '" + title.name + "': unknown unit '" + title.unit + "'; valid units are " +
-                              (rule->is_angle ? "rad, mrad, deg" : "m, cm, mm, um, in, ft, km, mi"));
-    used_.push_back({index, column, *unit * (axes_ == LineAxes::railway ? rule->railway_sign : 1)});
+    const NamedUnit* unit = unitNamed(title.unit, rule->is_angle ? "angle" : "length");
+    refuseTitlesIf(unit == nullptr, "column '" + title.name + "': unknown unit '" + title.unit + "'; valid units are " +
+                                        (rule->is_angle ? "rad, mrad, deg" : "m, cm, mm, um, in, ft, km, mi"));
+    used_.push_back({index, column, unit->value * (axes_ == LineAxes::railway ? rule->railway_sign : 1)});
     has_place_ = has_place_ || column == x;
   }
 

@@ -47,15 +47,15 @@ double valueAt(const RimPoints& points, double angle)
 
 /// Column of a table by its name, and the value of its unit.
 std::pair<std::size_t, double> columnOf(const TextFile& file, const TextTable& table, const char* name,
-                                        const Units& units)
+                                        const char* kind)
 {
   const std::vector<TableTitle>& titles = table.titles();
   const auto found = std::find_if(titles.begin(), titles.end(),
                                   [&](const TableTitle& title) { return lowerCase(title.name) == name; });
-  const std::optional<double> unit = found != titles.end() ? unitNamed(units, found->unit) : std::nullopt;
-  file.refuseIf(!unit, table.titleLine(), "column '", name,
+  const NamedUnit* unit = found != titles.end() ? unitNamed(found->unit, kind) : nullptr;
+  file.refuseIf(unit == nullptr, table.titleLine(), "column '", name,
                 "' is missing or has no valid unit: titles must be such as angle_deg,deviation_um");
-  return {static_cast<std::size_t>(found - titles.begin()), *unit};
+  return {static_cast<std::size_t>(found - titles.begin()), unit->value};
 }
 
 /// Refuses rows that are not one closed turn. Removes a last row that repeats the first one.
@@ -131,8 +131,8 @@ RimPoints readOutOfRound(const std::string& path)
   TextFile file(path);
   TextTable table(file,
                   [](const std::vector<TableTitle>& titles) { return !titles.empty() && titles[0].name == "angle"; });
-  const auto [angle, radian] = columnOf(file, table, "angle", angleUnits());
-  const auto [deviation, metre] = columnOf(file, table, "deviation", lengthUnits());
+  const auto [angle, radian] = columnOf(file, table, "angle", "angle");
+  const auto [deviation, metre] = columnOf(file, table, "deviation", "length");
   RimPoints points;
   for (std::vector<std::string> fields; table.next(fields);)
   {

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from ..command import Failure
 from .titles import Title, split_title
-from .units import KINDS, UNITS, names_of, unit_of
+from .units import names_of, same_unit, unit_of
 
 # Name in the table -> (field of a State, kind of unit, sign in railway axes: x forward, y right, z down).
 COLUMNS = {
@@ -73,17 +73,18 @@ def _column(quantity, title):
     """@throw Failure if the title has no unit of this quantity"""
     kind = QUANTITIES[quantity]
     unit = unit_of(title.unit)
-    if unit not in UNITS[kind]:
+    if not unit or unit.kind != kind:
         raise Failure(f"column '{title.shown}': {title.unit} is not a unit of {quantity}; valid units are {names_of(kind)}. "
                       f"--column {quantity}= ignores the column")
-    return Column(quantity, title, unit, UNITS[kind][unit])
+    return Column(quantity, title, unit.name, unit.value)
 
 
 def _is_other_quantity(quantity, title):
     """True if a name of one letter, in another spelling, has the unit of another quantity: Y [kN] is a force, not y."""
     letter = _key(title.name).split("_")[0]
-    unit = unit_of(title.unit) if title.unit else None
-    return bool(title.unit) and len(letter) == 1 and title.name != quantity and KINDS.get(unit) != QUANTITIES[quantity]
+    unit = unit_of(title.unit)
+    return bool(title.unit) and len(letter) == 1 and title.name != quantity \
+        and (not unit or unit.kind != QUANTITIES[quantity])
 
 
 def _named_title(titles, quantity, text):
@@ -97,14 +98,14 @@ def _named_title(titles, quantity, text):
         or [title for title in titles if _key(title.name) == _key(name)]
     option = f"--column {quantity}='{text}'"
     if len(found) > 1 and unit:
-        found = [title for title in found if title.unit and unit_of(title.unit) == unit_of(unit)] or found
+        found = [title for title in found if title.unit and same_unit(title.unit, unit)] or found
     if len(found) != 1:
         listed = ", ".join(title.shown for title in found or titles)
         raise Failure(f"{option}: {len(found) or 'no'} columns have this title: {listed}")
     title = found[0]
     if exact or not unit:
         return title
-    if title.unit and (unit_of(title.unit) or title.unit) != (unit_of(unit) or unit):
+    if title.unit and not same_unit(title.unit, unit):
         raise Failure(f"{option}: the unit in the file is {title.unit}")
     return Title(title.index, title.text, title.name, unit)
 

@@ -10,7 +10,7 @@ from .columns import COLUMNS, check_columns, columns_of
 from .rows import Rows, reversed_value
 from .running_circles import RunningCircles
 from .titles import titles_of
-from .units import UNITS
+from .units import units
 
 AXES = ("rep103", "railway")
 AXES_COMMENT = re.compile(r"\s*axes:\s*(.*?)\s*")
@@ -84,7 +84,7 @@ def _states_of(table, reading):
 
 def write_table(path, states, axes):
     """Writes states in SI units. A column is omitted if no state has a value for it."""
-    si_unit = {kind: next(iter(units)) for kind, units in UNITS.items()}
+    si_unit = {kind: next(iter(names)) for kind, names in units().items()}
     columns = {name: column for name, column in COLUMNS.items()
                if any(getattr(state, column[0]) is not None for state in states)}
     with open(path, "x", encoding="utf-8", newline="") as file:

@@ -1,16 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Titles of the columns of a table: name and unit, in the spellings of other programs."""
-import re
+"""Titles of the columns of a table: name and unit. The module reads them, as those of all tables."""
 from dataclasses import dataclass
 
-from ..command import Failure
-from .units import unit_of
-
-LONGEST = 1000  # characters of a title with a unit; the time of the search grows with the square
-IN_BRACKETS = re.compile(r"(.*?)\s*\[([^\[\]]*)\]")
-# Other spellings count only if the text is a unit: y(mm), y / mm, y in mm, y_mm.
-OTHERS = tuple(re.compile(pattern) for pattern in
-               (r"(.*?)\s*\(([^()]*)\)", r"(.*\S)\s*/\s*([^/]+)", r"(.*\S)\s+in\s+(\S.*)", r"(.*\S)_([^_]+)"))
+from ..command import Failure, native
 
 
 @dataclass(frozen=True)
@@ -30,29 +22,8 @@ class Title:
 
 def split_title(text):
     """Name and unit of a title; the unit is None if the title has none."""
-    if len(text) > LONGEST:
-        return text, None
-    match = IN_BRACKETS.fullmatch(text)
-    if match:
-        return match.group(1), match.group(2).strip() or None
-    for pattern in OTHERS:
-        match = pattern.fullmatch(text)
-        if match and unit_of(match.group(2)):
-            return match.group(1), match.group(2).strip()
-    return text, None
-
-
-def _bare_unit(cell):
-    """Text of a cell in a row of units, without brackets."""
-    match = re.fullmatch(r"[\[(]\s*(.*?)\s*[\])]", cell[:LONGEST])
-    return match.group(1) if match else cell
-
-
-def _is_units_row(head):
-    """True if the last row of the head contains units: at least half of its cells, of which one is a unit of this package."""
-    cells = [_bare_unit(cell) for cell in head[-1].cells if cell]
-    alike = sum(1 for cell in cells if unit_of(cell) or "/" in cell)
-    return len(head) > 1 and any(map(unit_of, cells)) and 2 * alike >= len(cells)
+    title = native().title_of(text)
+    return title.name, title.unit or None
 
 
 def titles_of(table):
@@ -63,18 +34,7 @@ def titles_of(table):
     head = table.head
     if not head:
         raise Failure(f"{table.path}: has no titles; its first line must contain names and units, for example 'y [mm]'")
-    units = []
-    if _is_units_row(head):
-        units = [_bare_unit(cell) for cell in head.pop().cells]
-    *above, titles = head
-    return [_title(index, text, units[index] if index < len(units) else "") for index, text in enumerate(titles.cells)], above
-
-
-def _title(index, text, below):
-    """Title with its own unit, or that of the row of units. A unit in the title that differs from it is part of the name."""
-    name, unit = split_title(text)
-    if below in ("", "-"):
-        return Title(index, text, name.strip(), unit)
-    if unit and (unit_of(unit) or unit) == (unit_of(below) or below):
-        return Title(index, text, name.strip(), unit)
-    return Title(index, text, text, below)
+    titles, row = table.titles
+    texts = head[row].cells
+    return [Title(index, text, title.name, title.unit or None) for index, (text, title) in enumerate(zip(texts, titles))], \
+        head[:row]

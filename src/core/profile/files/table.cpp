@@ -58,9 +58,9 @@ std::optional<double> unitOf(const TextFile& file, const TextTable& table, const
   {
     return std::nullopt;
   }
-  const std::optional<double> unit = unitNamed(lengthUnits(), y);
-  file.refuseIf(!unit, table.titleLine(), "unit '" + y + "' must be m, cm, mm, um or in");
-  return unit;
+  const NamedUnit* unit = unitNamed(y, "length");
+  file.refuseIf(unit == nullptr, table.titleLine(), "unit '" + y + "' must be m, cm, mm, um or in");
+  return unit->value;
 }
 
 /// @throw FileError if a title of y or z occurs twice: which of the two rails of a file is meant?
@@ -108,7 +108,7 @@ Columns readTitles(const TextFile& file, const TextTable& table, FileProfile& co
 bool namesCoordinates(const std::string& line)
 {
   const std::string titles = withoutCommentSign(line);
-  return areTitles(titlesIn(splitCells(titles, separatorIn(titles))));
+  return areTitles(titlesIn(splitCells(titles, separatorIn(titles)), true));
 }
 
 FileProfile readProfileTable(TextFile& file)
