@@ -115,7 +115,7 @@ class WheelsetContact::Calculation
     result_.speed = result_.rotation = 0;
     result_.implausible_force = false;
     result_.above_tolerance = result_.near_branch = result_.points_missing = false;
-    shape_error_ = 0;
+    is_noisy_ = false;
     patch_count_ = 0;
     if (isUsable(result_.status))
     {
@@ -250,10 +250,8 @@ class WheelsetContact::Calculation
              : !balance_.wheel(Side::right).rim().smooth
                  ? "the right wheel has an edge along its circumference: its lowest place carries it"
              : result_.above_tolerance ? "the estimated error of a wheel is above contact/tolerance"
-             : shape_error_ > 0.2
-                 ? "the noise of the points of a profile leaves the highest pressure open by more than 20 %"
-             : shape_error_ > 0.05
-                 ? "the noise of the points of a profile leaves the highest pressure open by more than 5 %"
+             : is_noisy_ ? "the noise of the points of a profile leaves the highest pressure open by more than "
+                           "contact/tolerance"
              : friction_.isSet() && !friction_.acts(state) ? "no creep forces: the speed is below 0.01 m/s"
                                                            : "";
     }
@@ -297,7 +295,7 @@ class WheelsetContact::Calculation
       const ShapeEffect shape = shapeEffect(side, balance_, *config_.wheel_profile[side], k, patch.max_pressure);
       patch.error_estimate = std::hypot(patch.error_estimate, shape.max_pressure);
       result_.points_missing = result_.points_missing || shape.missing;
-      shape_error_ = std::max(shape_error_, shape.max_pressure);
+      is_noisy_ = is_noisy_ || shape.max_pressure > config_.contact.tolerance;
       patch.method = levels_.solver().name();
       patch.creep = {};
       stress_.fill(side, balance_, k, patch);
@@ -338,7 +336,7 @@ class WheelsetContact::Calculation
   std::optional<WheelsetBalance> other_;  ///< searches for other equilibria
   WheelsetResult result_;
   std::size_t patch_count_ = 0;
-  double shape_error_ = 0;  ///< largest relative error of a pressure by the noise of a profile [-]
+  bool is_noisy_ = false;  ///< the noise of a profile opens a pressure by more than the tolerance
 };
 
 WheelsetContact::WheelsetContact(ContactModelConfig config)
