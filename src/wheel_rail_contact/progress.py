@@ -4,6 +4,19 @@ import sys
 import time
 
 WIDTH = 30
+STEP = 5000  # items between two calls
+
+
+def no_progress(done, total, title):
+    """Shows nothing."""
+
+
+def shown(items, total, progress, noun):
+    """Yields the items of a long input, and calls a Progress now and then."""
+    for done, item in enumerate(items):
+        if done and done % STEP == 0:
+            progress(done, max(total, done), f"{noun} {done} of {total}")
+        yield item
 
 
 class Progress:

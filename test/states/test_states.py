@@ -176,6 +176,18 @@ class States(StatesCase):
             self.assertEqual(printed.count("\n"), 1, printed)
             self.assertFalse((self.folder / "out.csv").exists())
 
+    def test_long_inputs_show_their_progress(self):
+        self.write("time [s],y [mm]\n" + "".join(f"{1 + i},0\n" for i in range(5)))
+        with mock.patch("wheel_rail_contact.progress.STEP", 3), mock.patch("wheel_rail_contact.states.command_line.PERIOD", 0):
+            printed = self.run_states("in.csv", "out.bag") + self.run_states("out.bag", "out.csv")
+        for progress in ("50 %  line 3 of 6", "60 %  state 3 of 5", "60 %  message 3 of 5"):
+            self.assertIn(progress, printed)
+
+    def test_bag_that_expands_beyond_the_limit_is_refused(self):
+        write_bag(self.folder / "in.bag", [State(10**9 + i) for i in range(5000)])
+        with mock.patch("wheel_rail_contact.bags.LEAST_LIMIT", 0), mock.patch("wheel_rail_contact.bags.EXPANSION", 1):
+            self.assertIn("its chunks expand to 0 MiB", self.run_states("in.bag", "out.csv", status=1))
+
     def test_hunting_example_follows_klingel_and_all_its_results_are_ok(self):
         subprocess.run([sys.executable, SCRIPTS / "make_hunting_states", self.folder / "hunting.csv"], check=True)
         self.run_states("hunting.csv", "hunting.bag")

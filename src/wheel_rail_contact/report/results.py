@@ -8,6 +8,7 @@ import numpy as np
 import rosbag
 from wheel_rail_contact.msg import WheelsetContact
 
+from ..bags import opened
 from ..command import Failure
 from ..message_constants import USABLE
 
@@ -69,7 +70,7 @@ def find_topic(bag, wheelset):
 def read(path, wheelset=None):
     """All results of a bag without their grids, and their topic."""
     try:
-        with rosbag.Bag(str(path)) as bag:
+        with opened(path) as bag:
             topic = find_topic(bag, wheelset)
             results = _collect(_message(raw) for _, raw, _ in bag.read_messages(topics=[topic], raw=True))
             _, _, _, header = next(bag.read_messages(topics=[topic], raw=True, return_connection_header=True))
@@ -176,6 +177,6 @@ def of_patches(results, name, index):
 
 def read_full(path, topic, wanted):
     """Messages with grids of the results with the indices `wanted`, as a dictionary by index."""
-    with rosbag.Bag(str(path)) as bag:
+    with opened(path) as bag:
         stored = enumerate(bag.read_messages(topics=[topic], raw=True))
         return {index: _message(raw) for index, (_, raw, _) in stored if index in wanted}

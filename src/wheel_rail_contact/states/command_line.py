@@ -8,12 +8,14 @@ import textwrap
 
 from ..arguments import Parser
 from ..command import Failure, finish, writing
+from ..progress import Progress, shown
 from .columns import COLUMNS, QUANTITIES, WHEEL_LOADS
 from .running_circles import LONGEST, SHORTEST, RunningCircles
 from .state import read_bag, write_bag
 from .table import AXES, Reading, read_table, write_table
 from .units import units
 
+PERIOD = 10  # between lines of progress without a terminal [s]
 DESCRIPTION = """Converts a table of wheelset states, as exported by a vehicle simulation, to a bag, or a bag to a table."""
 
 
@@ -98,17 +100,19 @@ def _convert(options, reading, from_table):
     if os.path.exists(options.target):
         raise Failure(f"{options.target}: already exists and is not overwritten")
     dropped = 0
+    progress = Progress(period=PERIOD)
     if from_table:
-        states, remarks, dropped = read_table(options.source, reading)
+        states, remarks, dropped = read_table(options.source, reading, progress)
         for remark in remarks:
             print(f"{options.source}: {remark}", file=sys.stderr)
-        _write(options.target, write_bag, states, wheelset)
+        _write(options.target, write_bag, shown(states, len(states), progress, "state"), wheelset)
     else:
         remarks = []
-        states = read_bag(options.source, wheelset, remarks)
+        states = read_bag(options.source, wheelset, remarks, progress)
         for remark in remarks:
             print(f"{options.source}: {remark}", file=sys.stderr)
         _write(options.target, write_table, states, options.axes or AXES[0])
+    progress.end()
     rest = f"; {dropped} of {len(states) + dropped} rows were dropped" if dropped else ""
     print(f"{len(states)} state{'' if len(states) == 1 else 's'}{rest}")
 

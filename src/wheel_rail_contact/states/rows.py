@@ -4,6 +4,7 @@ import decimal
 import re
 
 from ..command import Failure, native
+from ..progress import shown
 from .columns import COLUMNS
 from .state import State
 
@@ -65,6 +66,11 @@ def _counted(count, lines, why):
     return f"{count} {word} dropped, {why} (line{'' if count == 1 else 's'} {', '.join(map(str, lines))}{more})"
 
 
+def _lines(path):
+    with open(path, "rb") as file:
+        return sum(part.count(b"\n") for part in iter(lambda: file.read(2**20), b""))
+
+
 class Dropped:
     """Rows that were dropped for one reason: their number, and the lines of the first ones."""
 
@@ -102,16 +108,17 @@ class Rows:
         self._plain_number = native().plain_number
         self._sign = "," if reading.decimal_comma else _decimal_sign(table, indices, self._plain_number)
 
-    def states(self):
+    def states(self, progress):
         """States with increasing times above 0.
 
+        @param progress a Progress
         @throw Failure if a cell is not a number, if times decrease, or if more than half of the rows had to be dropped
         """
         incomplete = Dropped("because a value is missing")
         repeated = Dropped("because the next row has the same time")
         states, total, before = [], 0, None
         self._table.rewind()
-        for row in self._table:
+        for row in shown(self._table, _lines(self._table.path), progress, "line"):
             total += 1
             line = row.line
             state = self._state(line, row.cells)

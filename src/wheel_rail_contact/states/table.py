@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from typing import Dict, Optional
 
 from ..command import Failure, calculating, load_doubt, native
+from ..progress import no_progress
 from .columns import COLUMNS, check_columns, columns_of
 from .rows import Rows, reversed_value
 from .running_circles import RunningCircles
@@ -48,7 +49,7 @@ def _remarks(table, above, ignored, columns):
         yield "; ".join(filter(None, (unused, no_load)))
 
 
-def read_table(path, reading):
+def read_table(path, reading, progress=no_progress):
     """States of a table.
 
     @param reading a Reading
@@ -56,10 +57,10 @@ def read_table(path, reading):
     @throw Failure
     """
     with calculating():
-        return _states_of(native().CellTable(str(path)), reading)
+        return _states_of(native().CellTable(str(path)), reading, progress)
 
 
-def _states_of(table, reading):
+def _states_of(table, reading, progress):
     axes = _axes_of(table, reading.axes)
     titles, above = titles_of(table)
     first = next(iter(table), None)
@@ -75,7 +76,7 @@ def _states_of(table, reading):
         distance, source = reading.running_circles.distance()
         remarks.append(f"distance of the running circles: {distance:.9g} m ({source})")
     rows = Rows(table, columns, reading, axes == "railway", distance)
-    states = rows.states()
+    states = rows.states(progress)
     if "Q_left" in columns:
         mean = -0.5 * sum(state.force_z for state in states) / len(states)
         remarks += filter(None, [load_doubt(mean, reading.running_circles.configs)])
