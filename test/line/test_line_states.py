@@ -2,6 +2,7 @@
 """The example of doc/line.md: states of a wheelset on a line with irregularities, their results and the report."""
 import os
 import subprocess
+from unittest import mock
 
 import numpy as np
 import rosbag
@@ -41,13 +42,15 @@ class LineStates(LineCase):
         step = x[1] - x[0]
         self.assertAlmostEqual(step, 0.1, delta=1e-12)
         self.assertEqual((x[0], x[-1]), (0, 200))
-        alignment = np.interp(x, line["x"], (line["alignment_left"] + line["alignment_right"]) / 2)
+        tilt = np.interp(x, line["x"], line["cross_level"]) / 1.507
+        # On a tilted track a wheelset in its middle has its centre 0.46 m above the slope.
+        alignment = np.interp(x, line["x"], (line["alignment_left"] + line["alignment_right"]) / 2) - 0.46 * tilt
         slope, bend = (y[2:] - y[:-2]) / (2 * step), (y[2:] - 2 * y[1:-1] + y[:-2]) / step**2
         # Differences over 0.1 m; the alignment has kinks every 0.25 m. The curvatures are up to 5e-4 1/m.
         np.testing.assert_allclose(bend, -STIFFNESS * (y - alignment)[1:-1] - DAMPING * slope, atol=6e-6)
         np.testing.assert_allclose(states["yaw"][1:-1], 1e3 * slope, atol=2e-3)  # [mrad], pure rolling
-        # Moment of the inertia force of 200 kN, 1.2 m above the axle, at 40 m/s [kN m].
-        np.testing.assert_allclose(states["torque_x"][1:-1], 1.2 * 200 / 9.81 * 40**2 * bend, atol=0.3)
+        # Moments of the inertia force of 200 kN, 1.2 m above the axle, at 40 m/s, and of the weight [kN m].
+        np.testing.assert_allclose(states["torque_x"][1:-1], 1.2 * 200 * (40**2 / 9.81 * bend + tilt[1:-1]), atol=0.3)
 
     def test_columns_of_the_track_give_the_same_path(self):
         expected = self.states()
@@ -85,6 +88,22 @@ class LineStates(LineCase):
             self.assertEqual(len(contacts), (results.patches["side"] == side).sum())
             # The wheelset moves up to 5 mm towards a rail: contacts from the gauge corner to the crown.
             self.assertTrue(-20 < contacts.min() < -10 < 0 < contacts.max() < 10, (contacts.min(), contacts.max()))
+
+    def test_picture_along_the_line_has_one_pass_of_many_and_no_empty_panel(self):
+        forth = np.linspace(0, 30, 301)
+        for x, expected in ((np.r_[forth, forth], [(0, 301), (301, 602)]), (np.r_[forth[::-1], forth], [(0, 301), (301, 602)]),
+                            (np.r_[np.nan, forth + 0.4 * np.sin(9 * forth), np.nan, forth + 40], [(0, 604)])):
+            self.assertEqual([(part.start, part.stop) for part in along_line.passes(x)], expected)
+        self.states()
+        results, _ = read(self.replay("--no-grids"))
+        results.x[1200:] -= 120
+        right = results.patches["side"] == 1
+        results.patches = {name: values[~right] for name, values in results.patches.items()}
+        with mock.patch.object(along_line, "save", lambda figure, _: figure):
+            drawn = along_line.figure(results, self.folder / "along.png")
+        panels = drawn.axes[:-1]  # the last one is the scale of the colours
+        self.assertEqual([panel.has_data() for panel in panels], 4 * [True])
+        self.assertEqual(panels[0].get_xlim(), (0, results.x[1199]))
 
     def test_wheelset_that_does_not_travel_has_no_picture_along_the_line(self):
         self.states()

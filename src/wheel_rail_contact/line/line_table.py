@@ -40,14 +40,15 @@ def write_line(path, title, x, values, columns):
             table.writerow([f"{place:.10g}", *(f"{value:.4f}" for value in row)])
 
 
-def read_alignment(path):
-    """x [m] of the stations of such a table, and the alignment of the track centre there [m]."""
+def read_centre(path):
+    """x of the stations of such a table, and alignment of the track centre and cross level there [m]."""
     with open(path, encoding="utf-8") as file:
         rows = list(csv.reader(line for line in file if line.strip() and not line.startswith("#")))
     columns = dict(zip(rows[0], zip(*rows[1:]))) if len(rows) > 2 else {}
     sides = ("alignment [mm]",) if "alignment [mm]" in columns else ("alignment_left [mm]", "alignment_right [mm]")
     try:
         return (np.array(columns["x [m]"], float),
-                sum(np.array(columns[side], float) for side in sides) / len(sides) / MM)
+                sum(np.array(columns[side], float) for side in sides) / len(sides) / MM,
+                np.array(columns["cross_level [mm]"], float) / MM)
     except (KeyError, ValueError) as error:
         raise Failure(f"{path}: not a table of make_irregular_line ({error})") from None

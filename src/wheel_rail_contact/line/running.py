@@ -8,6 +8,9 @@ The bogie therefore damps the yaw, with the damping ratio d: y'' = -(c / (e r)) 
 is the slope y'. The car body follows the lateral motion. Its centre is at the height h above the axle, and its lateral
 acceleration increases the load of one wheel and decreases the load of the other.
 
+A cross level turns the track, and with it the body: the axle centre of a centred wheelset then lies r sin(tilt) down the slope
+from the alignment, and so do body and load, at the height h above it.
+
 This is a simple path with loads for the example of doc/line.md, not a simulation of a vehicle.
 """
 import argparse
@@ -18,7 +21,7 @@ import numpy as np
 
 from ..arguments import Parser
 from ..command import Failure, finish, writing
-from .line_table import read_alignment
+from .line_table import read_centre
 
 RADIUS = 0.460          # [m]
 HALF_BASE = 0.750       # [m] half the distance of the running circles
@@ -27,6 +30,7 @@ DAMPING = 0.15          # [-] of the yaw, as a part of the critical damping
 LOAD = 200e3            # [N] on the axle
 LOAD_HEIGHT = 1.2       # [m] centre of the load, above the axle
 GRAVITY = 9.81          # [m/s^2]
+BASE = 1.507            # [m] over which the line turns by its cross level: distance of the reference points of 60E1
 
 STIFFNESS = CONICITY / (HALF_BASE * RADIUS)  # [1/m^2] of the restoring curvature
 
@@ -69,18 +73,21 @@ def _run(options):
     for name in ("speed", "step"):
         if not (math.isfinite(getattr(options, name)) and getattr(options, name) > 0):
             raise Failure(f"--{name} {getattr(options, name)}: must be above 0")
-    stations, alignment = read_alignment(options.line)
+    stations, alignment, cross_level = read_centre(options.line)
+    tilt = np.arcsin(np.clip(cross_level / BASE, -1, 1))  # positive: the left rail is higher
+    centre = alignment - RADIUS * np.sin(tilt)
     count = int((stations[-1] - stations[0]) / options.step * (1 + 1e-12)) + 1
     if count < 2:
         raise Failure(f"--step {options.step}: is longer than the line")
     x = np.minimum(stations[0] + options.step * np.arange(count), stations[-1])
-    rows = path(x, lambda place: np.interp(place, stations, alignment))
+    rows = path(x, lambda place: np.interp(place, stations, centre))
+    slopes = np.interp(x, stations, np.sin(tilt))
     with writing(options.table), open(options.table, "x", encoding="utf-8", newline="") as file:
         table = csv.writer(file, lineterminator="\n")
         table.writerow(["time [s]", "x [m]", "y [mm]", "yaw [mrad]", "force_z [kN]", "torque_x [kN m]"])
-        for place, (y, slope, bend) in zip(x, rows):
-            # Moment of the inertia force -m a about the x axis of the axle: -h times the force along y.
-            torque = LOAD_HEIGHT * LOAD / GRAVITY * options.speed**2 * bend
+        for place, (y, slope, bend), sine in zip(x, rows, slopes):
+            # Moments about the x axis of the axle: of the inertia force -m a, and of the weight beside the axle.
+            torque = LOAD_HEIGHT * LOAD * (options.speed**2 * bend / GRAVITY + sine)
             time = 1 + (place - x[0]) / options.speed
             row = (time, place, 1e3 * y, 1e3 * math.atan(slope), -1e-3 * LOAD, 1e-3 * torque)
             table.writerow([f"{value:.9g}" for value in row])

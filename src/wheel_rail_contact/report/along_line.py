@@ -7,9 +7,9 @@ from ..message_constants import SIDES, USABLE
 from . import marks
 from .drawing import COLOURS, draw_history, is_zero, limit_zoom, save
 from .positions import contact_points
-from .results import RAIL_FIELDS, per_result
+from .results import RAIL_FIELDS, part_of, per_result
 
-LEAST_DISTANCE = 1.0  # [m] a wheelset that moves less is not drawn along the line
+LEAST_DISTANCE = 1.0  # [m] a wheelset that moves less is not drawn along the line; one that goes back by more begins a new pass
 
 
 def _places(results):
@@ -23,6 +23,24 @@ def travels(results):
     return len(x) > 0 and np.ptp(x) > LEAST_DISTANCE
 
 
+def passes(x):
+    """Slices of the results between which the wheelset moves in one direction: a line that is run over again has several.
+
+    @param x of each result [m]; NaN: unknown
+    """
+    known = np.flatnonzero(np.isfinite(x)).tolist()
+    slices, begin, start, farthest, way = [], 0, x[known[0]], known[0], 0
+    for index in known:
+        if way * (x[index] - x[farthest]) < -LEAST_DISTANCE:
+            slices.append(slice(begin, farthest + 1))
+            begin, start, farthest, way = farthest + 1, x[index], index, 0
+        if way == 0 or way * (x[index] - x[farthest]) > 0:
+            farthest = index
+        if way == 0 and abs(x[index] - start) > LEAST_DISTANCE:
+            way = np.sign(x[index] - start)
+    return [*slices, slice(begin, len(x))]
+
+
 def contacts_on_rail(results, side):
     """Lateral positions of the patches of a side on its rail, outward [m]: from the reference point of the rail head, or from
     the track centre if the bag does not contain this point."""
@@ -30,8 +48,8 @@ def contacts_on_rail(results, side):
     return contact_points(results, side)[0][:, 0] - reference[0, 0]
 
 
-def _draw_contacts(axes, x, results):
-    """Positions of the contacts on each rail, in equal scales. Returns the colours of the pressures."""
+def _draw_contacts(axes, touching, x, results):
+    """Positions of the contacts on each rail that is touched, in equal scales. Returns the colours of the pressures."""
     patches = results.patches
     pressure = 1e-6 * patches["max_pressure"]
     scale = pyplot().Normalize(0, pressure.max())
@@ -39,7 +57,7 @@ def _draw_contacts(axes, x, results):
     margin = 0.05 * max(np.ptp(np.concatenate(outward)), 1.0)
     limits = min(map(np.min, filter(len, outward))) - margin, max(map(np.max, filter(len, outward))) + margin
     origin = "the reference point" if "reference" in results.outlines[0] else "the track centre"
-    for side, axis in enumerate(axes):
+    for side, axis in zip(touching, axes):
         chosen = patches["side"] == side
         colours = axis.scatter(x[patches["result"][chosen]], outward[side], c=pressure[chosen], s=5, norm=scale,
                                cmap="viridis")
@@ -77,13 +95,22 @@ def _draw_lines(axis, x, label, lines, results):
 
 
 def figure(results, path):
-    """Contacts, pressures and given displacements of both rails over x. Returns the path."""
+    """Contacts, pressures and given displacements of both rails over x, in the longest pass. Returns the path."""
+    all_passes = passes(_places(results))
+    parts = [part_of(results, one) for one in all_passes]
+    drawn = int(np.argmax([np.ptp(_places(part)[part.patches["result"]]) if len(part.patches["result"]) else -1
+                           for part in parts]))
+    results = parts[drawn]
     x, rows = _places(results), _histories(results)
-    picture, axes = pyplot().subplots(2 + len(rows), 1, sharex=True, figsize=(10, 1.8 * (2 + len(rows))),
+    touching = [side for side in (0, 1) if (results.patches["side"] == side).any()]
+    count = len(touching)
+    picture, axes = pyplot().subplots(count + len(rows), 1, sharex=True, figsize=(10, 1.8 * (count + len(rows))),
                                       constrained_layout=True)
-    colours = _draw_contacts(axes[:2], x, results)
-    picture.colorbar(colours, ax=axes[:2], label="highest pressure [MPa]", pad=0.01)
-    for axis, (label, lines) in zip(axes[2:], rows):
+    colours = _draw_contacts(axes[:count], touching, x, results)
+    picture.colorbar(colours, ax=axes[:count], label="highest pressure [MPa]", pad=0.01)
+    if len(all_passes) > 1:
+        picture.suptitle(f"Pass {drawn + 1} of {len(all_passes)}")
+    for axis, (label, lines) in zip(axes[count:], rows):
         _draw_lines(axis, x, label, lines, results)
     for axis in axes:
         axis.grid(alpha=0.3)

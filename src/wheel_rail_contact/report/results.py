@@ -2,7 +2,7 @@
 """Reads the results in a bag into arrays. Pressure grids are read only for selected results."""
 import operator
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 import rosbag
@@ -127,6 +127,15 @@ def _collect(stream):
         results.patches[name] = results.patches[name].astype(int)
     results.patches["method"] = np.array(names, dtype=object)
     return results
+
+
+def part_of(results, chosen):
+    """The results of a slice, with their patches."""
+    patches = results.patches
+    inside = (patches["result"] >= chosen.start) & (patches["result"] < chosen.stop)
+    histories = {name: values[chosen] for name, values in vars(results).items() if isinstance(values, np.ndarray)}
+    of_part = {name: values[inside] for name, values in patches.items()}
+    return replace(results, **histories, patches={**of_part, "result": of_part["result"] - chosen.start})
 
 
 def rail_outline(results, side, distance):
