@@ -250,6 +250,10 @@ void openFiles(const ModelFiles& files, const FileSearch& search, NodeConfig& co
                    }
                    return line;
                  });
+    if (!config.fixed_frame.empty())
+    {
+      config.path = std::make_shared<core::TrackPath>(config.model.track.line);
+    }
   }
   if (config.model.rail_bending.model == core::RailBendingConfig::Model::compliance)
   {

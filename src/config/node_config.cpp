@@ -24,11 +24,13 @@ const NumberRule hold_rule{"a whole number from 0 to 200",
 void readLine(ParameterReader& reader, ModelFiles& files)
 {
   using core::LineAxes;
-  const std::string name = "track/line", file = name + "/file", axes = name + "/axes", gap = name + "/longest_gap";
+  const std::string name = "track/line", file = name + "/file", axes = name + "/axes", gap = name + "/longest_gap",
+                    repeat = name + "/repeat";
   reader.read(gap, rules::positive, files.line_reading.longest_gap);
-  const bool has_options = reader.has(axes) || reader.has(gap);
+  reader.read(repeat, {{"false", false}, {"true", true}}, files.line_reading.repeat);
+  const bool has_options = reader.has(axes) || reader.has(gap) || reader.has(repeat);
   reader.refuseIf(reader.has(name) && (reader.has(file) || has_options), name,
-                  "either a file or a group with file, axes and longest_gap");
+                  "either a file or a group with file, axes, longest_gap and repeat");
   if (has_options)
   {
     reader.require(file, "the file with these options");
@@ -39,16 +41,26 @@ void readLine(ParameterReader& reader, ModelFiles& files)
   reader.read(axes, {{"rep103", LineAxes::rep103}, {"railway", LineAxes::railway}}, files.line_reading.axes);
 }
 
+bool isFrame(const std::string& name)
+{
+  return !name.empty() && name[0] != '/' && name.size() <= longest_frame;
+}
+
 void readTrack(ParameterReader& reader, NodeConfig& config, ModelFiles& files)
 {
   core::TrackConfig& track = config.model.track;
   reader.read("track/gauge", rules::finite, track.gauge);
   reader.read("track/gauge_depth", rules::finite, track.gauge_depth);
   reader.read("track/frame", config.track_frame);
-  reader.refuseIf(
-      config.track_frame.empty() || config.track_frame[0] == '/' || config.track_frame.size() > longest_frame,
-      "track/frame", "the name of a tf frame, without a leading slash, of at most 1000 bytes");
+  reader.refuseIf(!isFrame(config.track_frame), "track/frame",
+                  "the name of a tf frame, without a leading slash, of at most 1000 bytes");
   readLine(reader, files);
+  const std::string publish = "track/publish_track_frame";
+  reader.read(publish, config.fixed_frame);
+  reader.refuseIf(
+      !config.fixed_frame.empty() && (!isFrame(config.fixed_frame) || files.line.value.empty() ||
+                                      files.line_reading.repeat || config.fixed_frame == config.track_frame),
+      publish, "the name of a fixed tf frame other than track/frame, and only with a track/line that does not repeat");
   reader.read("track/displacement", {{"none", false}, {"topic", true}}, config.displacement_topic);
   reader.read("track/distance", {{"pose", false}, {"topic", true}}, config.distance_topic);
 }

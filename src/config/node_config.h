@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "config/parameter_tree.h"
+#include "core/track/track_frame.h"
 #include "wheel_rail_contact/config_file.h"
 
 namespace wheel_rail_contact
@@ -25,8 +27,10 @@ constexpr int longest_hold = 200;  ///< upper limit of contact/hold_last [result
 /// All parameters of the live node and the replay.
 struct NodeConfig : ContactParameters
 {
-  std::string track_frame = "track";  ///< tf name of the track frame
-  double slop = 0;                    ///< largest difference of the stamps of a pair [s], >= 0; 0: equal stamps
+  std::string track_frame = "track";            ///< tf name of the track frame
+  std::string fixed_frame;                      ///< parent of the published track frame; empty: it is not published
+  std::shared_ptr<const core::TrackPath> path;  ///< of the track frame in the fixed frame; null without one
+  double slop = 0;  ///< largest difference of the stamps of a pair [s], >= 0; 0: equal stamps
   bool interpolate_load =
       false;                 ///< true: the load is interpolated at the stamp of the pose; false: matched by its stamp
   int hold_last = 0;         ///< largest number of results in a row that are held (HoldLast), at most longest_hold

@@ -82,7 +82,7 @@ class LineParameter : public testing::Test
   LineParameter()
   {
     std::ofstream(testing::TempDir() + "line.csv") << "x [m], gauge [mm], alignment [mm]\n0, 1441, 2\n10, 1435, 0\n";
-    std::ofstream(testing::TempDir() + "wrong.csv") << "# measured\nx [m], cant [mm]\n0, 1\n1, 2\n";
+    std::ofstream(testing::TempDir() + "wrong.csv") << "# measured\nx [m], cant_left [mm]\n0, 1\n1, 2\n";
   }
 
   static NodeConfig read(const std::string& track) { return wheel_rail_contact::read(with("track: {" + track + "}")); }
@@ -109,6 +109,7 @@ TEST_F(LineParameter, LineIsAFileOrAGroupWithItsAxesOrNone)
   EXPECT_NEAR(leftAtBegin("line: {file: line.csv}"), 3 + 2, rounding);
   EXPECT_NEAR(leftAtBegin("line: {file: line.csv, axes: rep103}"), 3 + 2, rounding);
   EXPECT_NEAR(leftAtBegin("line: {file: line.csv, axes: railway}"), 3 - 2, rounding);
+  EXPECT_EQ(read("line: line.csv, publish_track_frame: map").fixed_frame, "map");
   EXPECT_EQ(read("").model.track.line, nullptr);
   EXPECT_EQ(read("line: ''").model.track.line, nullptr);
 }
@@ -125,11 +126,17 @@ TEST_F(LineParameter, MistakesAreRefusedWithTheNameOfTheParameter)
   expectRefused("line: .", "/contact_node/track/line = .: ");
   expectRefused("line: [line.csv]", "/contact_node/track/line");
   expectRefused("line: wrong.csv", "/contact_node/track/line = wrong.csv: ");
-  expectRefused("line: wrong.csv", "wrong.csv:2: column 'cant': unknown quantity");
+  expectRefused("line: wrong.csv", "wrong.csv:2: column 'cant_left': unknown quantity");
   expectRefused("line: {file: missing.csv}", "/contact_node/track/line/file = missing.csv: ");
   expectRefused("line: {axes: railway}", "/contact_node/track/line/file is missing");
   expectRefused("line: {file: line.csv, axes: down}", "/contact_node/track/line/axes = down");
   expectRefused("line: {file: line.csv, axes: down}", "rep103, railway");
   expectRefused("line: {file: line.csv, longest_gap: 0}", "/contact_node/track/line/longest_gap = 0");
+  expectRefused("line: {file: line.csv, repeat: true}", "line.csv: repeat: a step of -0.005 in rail_lateral_left (SI");
+  for (const char* publish : {"publish_track_frame: map", "line: line.csv, publish_track_frame: track",
+                              "line: {file: line.csv, repeat: true}, publish_track_frame: map"})
+  {
+    expectRefused(publish, "/contact_node/track/publish_track_frame = ");
+  }
   expectRefused("line: {file: line.csv, unit: mm}", "/contact_node/track/line/unit");
 }

@@ -5,6 +5,7 @@
 
 #include "../refusal.h"
 #include "ros/evaluation/contact_input.h"
+#include "ros/evaluation/conversions.h"
 
 using namespace wheel_rail_contact;
 
@@ -343,6 +344,32 @@ TEST(ContactInput, TwistIsInTheTrackFrameOrTurnedFromThatOfThePose)
   in.twist = twist("vehicle");
   expectMotion(convert(in, transforms).motion, {20 * c - 0.02 * s, 20 * s + 0.02 * c, -0.03},
                {0.04 * c - 43 * s, 0.04 * s + 43 * c, -0.05});
+}
+
+TEST(ContactInput, PoseInAFixedFrameIsThatInTheFrameOfItsCrossSection)
+{
+  const core::TrackDesign design{1 / 300.0, -0.06, 0.01};
+  const std::vector<core::LineStation> stations{{0, 0, {}, {}}, {80, 0, {}, design}, {500, 0, {}, design}};
+  const core::TrackPath path(std::make_shared<core::TrackLine>("curve", stations));
+  const double yaw = 2e-3, place = 321.5;
+  const Eigen::Isometry3d frame = path.frameAt(place), at = frame * Eigen::Translation3d(0, 2e-3, 0.46);
+  geometry_msgs::PoseStamped message =
+      pose(Eigen::Quaterniond(frame.linear() * Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ())), "map");
+  message.pose.position.x = at.translation().x();
+  message.pose.position.y = at.translation().y();
+  message.pose.position.z = at.translation().z();
+  ContactInput in = input(message);
+  geometry_msgs::TwistStamped velocity = *twist("map");
+  velocity.twist.linear = vectorMessage(20 * frame.linear().col(0));
+  in.twist = shared(velocity);
+  const core::WheelsetState state = toState(in, "track", tf2::BufferCore(), "map", &path);
+  EXPECT_EQ(state.distance, state.x);
+  const double values[] = {state.x - place, state.y - 2e-3, state.z - 0.46, state.yaw - yaw, state.motion.speed - 20};
+  for (const double value : values)
+  {
+    EXPECT_NEAR(value, 0, 1e-8);
+  }
+  EXPECT_TRUE(state.motion_over_ground);
 }
 
 TEST(ContactInput, TwistInAnotherFrameOrNotFiniteIsRefused)

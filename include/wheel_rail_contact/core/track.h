@@ -19,7 +19,16 @@
 /// the field side of a rail. doc/glossary.md explains all terms.
 namespace wheel_rail_contact::core
 {
-/// Place of both rails at one place of a line, relative to the ideal track: straight, level and of nominal gauge.
+/// Design of a track at one place of a line, or its change per metre. The track frame follows it: x along the tangent
+/// of the centre line, turned by gradient and cant.
+struct TrackDesign
+{
+  double curvature = 0;  ///< of the centre line in plan [1/m]; positive: a curve to the left
+  double cant = 0;       ///< angle of the cant [rad]; positive: the left rail is higher, as in a curve to the right
+  double gradient = 0;   ///< rise per length in plan [-]; positive: uphill
+};
+
+/// Place of both rails at one place of a line, relative to the ideal track: that of the design, with nominal gauge.
 struct LineStation
 {
   double x = 0;  ///< along the line [m]
@@ -28,12 +37,13 @@ struct LineStation
   double cross_level = 0;
   /// Displacement of the rail of each Side in the tilted track.
   Sides<RailDeflection> rail{};
+  TrackDesign design{};  ///< linear between the stations: a clothoid is given by its ends
 };
 
 /// Track irregularities along a line: gauge, alignment, longitudinal level and cross level, or the displacement of each
-/// rail.
+/// rail; and the design of the track.
 ///
-/// Between its stations, each quantity is a cubic polynomial. Its slopes at the stations are those of Fritsch and
+/// Between its stations, each irregularity is a cubic polynomial. Its slopes at the stations are those of Fritsch and
 /// Butland (1984): the curve is smooth, passes through all values, and does not overshoot. The contact sees
 /// its slope and curvature along x.
 class TrackLine
@@ -42,14 +52,16 @@ class TrackLine
   /// @param name      name of the line for messages
   /// @param stations  at least two, x strictly increasing, all values finite
   /// @param longest_gap  longest distance of two stations across which the line is known [m]
-  /// @throw std::invalid_argument if they are not, or a cross level or displacement is above 0.2 m or 0.2 rad.
+  /// @param repeats   true: the line repeats without end; the last station is the first one of the next repetition
+  /// @throw std::invalid_argument if they are not, a value is above 0.2 (SI units), or the last station of a line that
+  /// repeats is not its first one.
   TrackLine(std::string name, const std::vector<LineStation>& stations,
-            double longest_gap = std::numeric_limits<double>::infinity());
+            double longest_gap = std::numeric_limits<double>::infinity(), bool repeats = false);
 
   /// Name of the line or of its file.
   const std::string& name() const { return name_; }
-  double begin() const { return x_.front(); }  ///< x of the first station [m]
-  double end() const { return x_.back(); }     ///< x of the last station [m]
+  double begin() const { return repeats_ ? -endless : x_.front(); }  ///< x of the first station; lowest if it repeats
+  double end() const { return repeats_ ? endless : x_.back(); }      ///< x of the last station; largest if it repeats
   /// True if x [m] is a station, or between two that are not farther apart than the longest gap.
   bool contains(double x) const { return x >= begin() && x <= end() && !gapAt(x); }
   double longestGap() const { return longest_gap_; }  ///< [m]
@@ -57,19 +69,28 @@ class TrackLine
   std::optional<std::array<double, 2>> gapAt(double x) const;
   /// Place of the rails at x [m], which must be on the line.
   LineStation at(double x) const;
+  /// Design at x [m] and its change per metre; beyond the ends as there.
+  TrackDesign designAt(double x, TrackDesign* change = nullptr) const;
+  const std::vector<double>& places() const { return x_; }  ///< of the stations [m]
 
  private:
-  static constexpr std::size_t quantities = 7;  ///< cross level, and three displacements of each rail
+  /// Cross level, and three displacements of each rail; then the design.
+  static constexpr std::size_t irregularities = 7, quantities = 10;
   using Quantities = std::array<double, quantities>;
 
+  static constexpr double endless = std::numeric_limits<double>::max();
+
   static Quantities quantitiesOf(const LineStation& station);
+  double withinStations(double x) const;
   std::size_t stationAfter(double x) const;
   bool isGap(std::size_t after) const { return x_[after] - x_[after - 1] > longest_gap_; }
 
   std::string name_;
-  double longest_gap_;                       ///< [m]
-  std::vector<double> x_;                    ///< [m]
-  std::vector<Quantities> values_, slopes_;  ///< at each station, and their slopes along x
+  double longest_gap_;  ///< [m]
+  bool repeats_;
+  std::vector<double> x_;                                   ///< [m]
+  std::vector<Quantities> values_;                          ///< at each station
+  std::vector<std::array<double, irregularities>> slopes_;  ///< along x, there
 };
 
 /// Axes of the values in a file.
@@ -85,6 +106,7 @@ struct LineReading
   LineAxes axes = LineAxes::rep103;  ///< of its values
   /// See TrackLine [m]; 0: three times the median distance of the stations.
   double longest_gap = 0;
+  bool repeat = false;  ///< see TrackLine
 };
 
 /// What was understood of the table of a line.
@@ -95,7 +117,8 @@ struct LineReport
 };
 
 /// Reads a line from a table, by the rules for cells, titles and missing values of the command contact_states. Units:
-/// m, cm, mm, um, in, ft, km, mi; rad, mrad, deg. A row with a missing value is dropped.
+/// m, cm, mm, um, in, ft, km, mi; rad, mrad, deg; 1/m, 1/km; -, m/m, mm/m, %, permil. A row with a missing irregularity
+/// is dropped.
 ///
 /// * `x`: along the line; required. Or a column `km` and one with the rest, `m`, without units. If it decreases, the
 ///   rows are reversed.
@@ -109,6 +132,9 @@ struct LineReport
 /// * Or the displacement of each rail at the reference point of its head, as in RailDeflection: `rail_lateral_left`
 ///   (outward), `rail_vertical_left`, `rail_roll_left`, and the same with `right`. They must not be mixed with the
 ///   columns of EN 13848-1.
+/// * The design: `curvature`, `cant` (as the height of the left rail over the right one, over 1.5 m at a gauge of
+///   1.435 m) and `gradient`, signs as in TrackDesign; in railway axes a curve to the right is positive. Empty cells
+///   are interpolated, and stations of a design alone have no longest gap.
 /// * Other columns are ignored, unless their names resemble one of these.
 ///
 /// @param gauge  nominal gauge, TrackConfig::gauge [m]

@@ -57,6 +57,9 @@ struct WheelsetState
   /// there are no creep forces. The vertical velocity and the roll rate are used only if height and roll are given:
   /// where they are solved, the wheels follow their rails. The rotation is used only with Rotation::given.
   WheelsetMotion motion{};
+  /// False: `motion` is relative to the track frame, which turns on a line with a design, and its speed is that of the
+  /// frame along the centre line. True: it is over ground, and contains the motion of the frame.
+  bool motion_over_ground = false;
   double x = 0;         ///< position of the axle centre along the track [m]; not checked, only copied to the result
   double distance = 0;  ///< place of the wheelset on TrackConfig::line and on rails with sections [m]
 };
@@ -93,7 +96,8 @@ struct RailResult
   double lateral_force = 0;
   double vertical_force = 0;  ///< vertical force of the wheel on the rail, down positive [N]
   double moment = 0;  ///< moment of both forces about the reference point of the head, outward roll positive [N m]
-  RailRates slope;    ///< direction of the rail: change of its displacement by the line along the track [-], [rad/m]
+  /// Direction of the rail: change of its displacement by the line, and of the cant, along the track [-], [rad/m].
+  RailRates slope;
 };
 
 /// Largest plausible contact force of a wheel: about ten times that of a freight wheel [N]. That of a model is smaller

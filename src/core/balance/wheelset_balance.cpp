@@ -7,6 +7,7 @@
 #include "core/balance/tuning.h"
 #include "core/constants.h"
 #include "core/normal/estimate/islands.h"
+#include "core/track/track_frame.h"
 #include "wheel_rail_contact/core/sides.h"
 
 namespace wheel_rail_contact::core
@@ -206,7 +207,8 @@ WheelsetState WheelsetBalance::placeOnLine(WheelsetState state)
   {
     const Sides<PlanePoint> heads([this](Side side) { return wheel(side).restingRail().referencePoint(); });
     const Sides<RailDeflection> displaced = displacementsAt(line->at(state.distance), heads);
-    const Sides<RailCourse> courses = coursesAt(*line, state.distance, heads, config_.wheelset.rolling_radius);
+    Sides<RailCourse> courses = coursesAt(*line, state.distance, heads, config_.wheelset.rolling_radius);
+    addTurn(*line, state.distance, heads, courses);
     for (const Side side : sides)
     {
       state.rail_displacement[side] += displaced[side];

@@ -44,7 +44,7 @@ void RollingContact::setMaterial(const ShearElasticity& elasticity, const Fricti
   problem_.friction = friction;
 }
 
-void RollingContact::place(Side side, const WheelsetBalance& balance, std::size_t grid, const RailRates& slope,
+void RollingContact::place(Side side, const WheelsetBalance& balance, std::size_t grid, const RailMotion& direction,
                            const RailRates& velocity)
 {
   side_ = side;
@@ -60,7 +60,7 @@ void RollingContact::place(Side side, const WheelsetBalance& balance, std::size_
   problem_.semi_axis_across = ellipse.across;
   is_new_ = true;
   placeColumns(balance, grid);
-  setRail(slope, velocity);
+  setRail(direction, velocity);
   problem_.normal_force = 0;
   for (const Column& column : columns_)
   {
@@ -224,7 +224,7 @@ CreepStatus RollingContact::solveEllipses()
   return status;
 }
 
-void RollingContact::setRail(const RailRates& slope, const RailRates& velocity)
+void RollingContact::setRail(const RailMotion& direction, const RailRates& velocity)
 {
   const double sign = sideSign(side_);
   for (Column& column : columns_)
@@ -232,8 +232,8 @@ void RollingContact::setRail(const RailRates& slope, const RailRates& velocity)
     const Vector3d arm = column.on_rail - head_;
     const auto lateral = [&](const RailRates& rates) { return sign * (rates.lateral + rates.roll * arm.z()); };
     const auto vertical = [&](const RailRates& rates) { return rates.vertical - sign * rates.roll * arm.y(); };
-    column.place.slope_y = lateral(slope);
-    column.place.slope_z = vertical(slope);
+    column.place.slope_y = lateral(direction.slope) + column.on_rail.x() * lateral(direction.bend);
+    column.place.slope_z = vertical(direction.slope) + column.on_rail.x() * vertical(direction.bend);
     column.place.rail_velocity_y = lateral(velocity);
     column.place.rail_velocity_z = vertical(velocity);
     column.axes = patchAxes(column.place);

@@ -26,7 +26,7 @@ class RollingContact
   /// Sets elasticity and friction.
   void setMaterial(const ShearElasticity& elasticity, const FrictionLaw& friction);
   /// Sets all columns of a grid of a wheel, and direction and velocity of its rail.
-  void place(Side side, const WheelsetBalance& balance, std::size_t grid, const RailRates& slope,
+  void place(Side side, const WheelsetBalance& balance, std::size_t grid, const RailMotion& direction,
              const RailRates& velocity);
   /// Replaces the columns by the centres of pressure of ellipses.
   void join();
@@ -71,7 +71,7 @@ class RollingContact
   void addEllipses(double first, double end, double weight, const CreepStrips::Ellipse& per_strips);
   CreepStatus solveEllipses();
   void placeColumns(const WheelsetBalance& balance, std::size_t grid);
-  void setRail(const RailRates& slope, const RailRates& velocity);
+  void setRail(const RailMotion& direction, const RailRates& velocity);
   Column meanOf(double first, double end) const;
   const CreepForce& forceOf(std::size_t column) const
   {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/friction/rolling_wheelset.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "core/constants.h"
 #include "core/track/root_bracket.h"
+#include "core/track/track_frame.h"
 #include "wheel_rail_contact/core/sides.h"
 
 namespace wheel_rail_contact::core
@@ -45,12 +47,14 @@ void RollingWheelset::reset()
 
 std::string_view RollingWheelset::solve(const WheelsetState& state, const WheelsetBalance& balance)
 {
+  const TrackLine* line = config_.track.line.get();
+  turn_ = line != nullptr ? turnOf(*line, state.distance) : Vector3d::Zero();
   setContacts(state, balance);
-  setMotion(state, balance.roll());
+  setMotion(state, balance);
   const Vector3d axle = axleDirection(motion_.yaw, motion_.roll);
   if (config_.creep.rotation == CreepConfig::Rotation::given)
   {
-    momentAbout(axle, state.motion.rotation);
+    momentAbout(axle, motion_.rotation);
   }
   else if (!rollFreely(axle))
   {
@@ -67,7 +71,8 @@ void RollingWheelset::setContacts(const WheelsetState& state, const WheelsetBala
   contact_of_.clear();
   for (const Side side : sides)
   {
-    const RailRates slope = balance.wheel(side).rail().slope, &velocity = state.rail_velocity[side];
+    const RailRates bend{sideSign(side) * turn_.z(), -turn_.y(), 0}, &velocity = state.rail_velocity[side];
+    const RailMotion direction{balance.wheel(side).rail().slope, bend};
     const Islands& islands = balance.islands(side);
     for (std::size_t i = 0; balance.wheel(side).loaded() && i < islands.islands().size(); ++i)
     {
@@ -75,7 +80,7 @@ void RollingWheelset::setContacts(const WheelsetState& state, const WheelsetBala
       if (i == 0 || island.patch != islands.islands()[i - 1].patch)
       {
         RollingContact& contact = nextContact(side);
-        contact.place(side, balance, island.patch, slope, velocity);
+        contact.place(side, balance, island.patch, direction, velocity);
         if (config_.creep.method == CreepMethod::linear)
         {
           contact.join();
@@ -99,11 +104,23 @@ RollingContact& RollingWheelset::nextContact(Side side)
 }
 
 /// Where height and roll are solved, the wheels follow their rails.
-void RollingWheelset::setMotion(const WheelsetState& state, double roll)
+void RollingWheelset::setMotion(const WheelsetState& state, const WheelsetBalance& balance)
 {
   motion_ = state.motion;
   motion_.yaw = state.yaw;
-  motion_.roll = roll;
+  motion_.roll = balance.roll();
+  speed_ = motion_.speed;
+  frame_rotation_ = 0;
+  if (!state.motion_over_ground && !turn_.isZero(0))
+  {
+    const Vector3d turn = speed_ * turn_, velocity = turn.cross(Vector3d(0, state.y, balance.height()));
+    motion_.speed += velocity.x();
+    motion_.lateral_velocity += velocity.y();
+    motion_.vertical_velocity += velocity.z();
+    motion_.roll_rate += turn.x();
+    motion_.rotation += frame_rotation_ = turn.y();
+    motion_.yaw_rate += turn.z();
+  }
   if (config_.wheelset.solve_height_and_roll)
   {
     const std::size_t left = strongest(Side::left), right = strongest(Side::right);
@@ -226,8 +243,8 @@ Vector3d RollingWheelset::onRail(Side side, bool with_lateral) const
 
 void RollingWheelset::addTo(const WheelsetBalance& balance, WheelsetResult& result) const
 {
-  result.speed = motion_.speed;
-  result.rotation = motion_.rotation;
+  result.speed = speed_;
+  result.rotation = motion_.rotation - frame_rotation_;
   std::size_t patch = 0;
   for (const Side side : sides)
   {

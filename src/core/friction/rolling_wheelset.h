@@ -36,7 +36,7 @@ class RollingWheelset
  private:
   void setContacts(const WheelsetState& state, const WheelsetBalance& balance);
   RollingContact& nextContact(Side side);
-  void setMotion(const WheelsetState& state, double roll);
+  void setMotion(const WheelsetState& state, const WheelsetBalance& balance);
   std::size_t strongest(Side side) const;
   double momentAbout(const Eigen::Vector3d& axle, double rotation);
   bool rollFreely(const Eigen::Vector3d& axle);
@@ -47,7 +47,9 @@ class RollingWheelset
 
   const ContactModelConfig& config_;
   Sides<ShearElasticity> elasticity_;
-  WheelsetMotion motion_;
+  WheelsetMotion motion_;                           ///< over ground
+  Eigen::Vector3d turn_ = Eigen::Vector3d::Zero();  ///< of the track frame, see turnOf()
+  double speed_ = 0, frame_rotation_ = 0;           ///< along the track [m/s]; of the frame about y, in motion_ [rad/s]
   std::vector<RollingContact> contacts_;  ///< only the first ones are contacts of the balance; left side first
   std::size_t count_ = 0;
   std::vector<std::size_t> contact_of_;  ///< contact of each patch of the result

@@ -76,6 +76,12 @@ const std::vector<NamedUnit> table_units{{"m", 1},
                                          {"rad", 1, "angle"},
                                          {"mrad", 1e-3, "angle"},
                                          {"deg", degree, "angle"},
+                                         {"1/m", 1, "curvature"},
+                                         {"1/km", 1e-3, "curvature"},
+                                         {"m/m", 1, "slope"},
+                                         {"permil", 1e-3, "slope"},
+                                         {"mm/m", 1e-3, "slope"},
+                                         {"%", 0.01, "slope"},
                                          {"s", 1, "time"},
                                          {"ms", 1e-3, "time"},
                                          {"us", 1e-6, "time"},
@@ -97,14 +103,28 @@ const std::vector<NamedUnit> table_units{{"m", 1},
 const NamedUnit* unitNamed(const std::string& text, const char* kind)
 {
   static const std::map<std::string, std::string> others{
-      {"sec", "s"},       {"inch", "in"},  {"inches", "in"}, {"feet", "ft"},  {"\xC2\xB0", "deg"}, {"degree", "deg"},
-      {"degrees", "deg"}, {"kips", "kip"}, {"nm", "n m"},    {"knm", "kn m"}, {"ft lbf", "lbf ft"}};
+      {"sec", "s"},        {"inch", "in"},    {"inches", "in"},     {"feet", "ft"},
+      {"\xC2\xB0", "deg"}, {"degree", "deg"}, {"degrees", "deg"},   {"kips", "kip"},
+      {"nm", "n m"},       {"knm", "kn m"},   {"ft lbf", "lbf ft"}, {"\xE2\x80\xB0", "permil"}};
   const std::string plain = plainUnit(text);
   const auto other = others.find(plain);
   const auto found = std::find_if(table_units.begin(), table_units.end(),
                                   [&](const NamedUnit& unit)
                                   { return lowerCase(unit.name) == (other == others.end() ? plain : other->second); });
   return found != table_units.end() && (kind == nullptr || std::string(kind) == found->kind) ? &*found : nullptr;
+}
+
+std::vector<std::string> unitNames(const char* kind)
+{
+  std::vector<std::string> names;
+  for (const NamedUnit& unit : table_units)
+  {
+    if (std::string(kind) == unit.kind)
+    {
+      names.emplace_back(unit.name);
+    }
+  }
+  return names;
 }
 
 std::string nameOfLength(double unit)

@@ -15,11 +15,13 @@ struct NamedUnit
 };
 constexpr NamedUnit named_lengths[] = {{"m", 1}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}, {"in", 0.0254}};
 
-/// All units of tables, those of a kind together, the SI unit first.
+/// All units of tables, those of a kind together: the SI unit, a usual one, others.
 extern const std::vector<NamedUnit> table_units;
 /// Unit with this spelling; null if there is none, or if it is of another kind. Case, blanks and the signs of a
 /// multiplication do not matter: mm, MM, N m, Nm, kN.m, deg, degrees, °.
 const NamedUnit* unitNamed(const std::string& text, const char* kind = nullptr);
+/// Units of a kind.
+std::vector<std::string> unitNames(const char* kind);
 /// Usual name of a unit of length [m]; its value if it has none.
 std::string nameOfLength(double unit);
 /// Text of a length [m], in millimetres.

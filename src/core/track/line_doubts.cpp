@@ -15,7 +15,7 @@ using LineRows = std::vector<LineRow>;
 
 /// Question where a quantity that is given twice has two values: the difference of both rails, and that of their
 /// columns.
-std::string contradiction(const LineRows& rows, Quantity difference, Quantity left, Quantity right)
+std::string contradiction(const LineRows& rows, std::size_t difference, std::size_t left, std::size_t right)
 {
   constexpr double tolerance = 0.2e-3;  // rounding to 0.1 mm [m]
   const LineRow* worst = nullptr;
@@ -110,7 +110,7 @@ std::vector<std::string> lineDoubts(const LineRows& rows, const std::array<doubl
   {
     doubts = {sparse(rows), contradiction(rows, gauge, alignment_left, alignment_right),
               contradiction(rows, cross_level, level_left, level_right)};
-    for (std::size_t column = gauge; column < columns; ++column)
+    for (std::size_t column = gauge; column < curvature; ++column)  // the design stays by intention
     {
       doubts.push_back(frozen(rows, column));
       doubts.push_back(column == gauge ? "" : tiny(rows, column, units[column]));  // a gauge may be nominal

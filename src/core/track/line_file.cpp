@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <regex>
 #include <stdexcept>
@@ -21,14 +22,18 @@ constexpr std::size_t longest_row = 100000;                    ///< [bytes]
 constexpr std::size_t most_stations = 2000000;                 ///< 500 km every 0.25 m; about 1 GB while it is read
 constexpr std::size_t longest_word = 100;                      ///< of a title or a filler
 /// Words in the names of quantities of a line: a column with one of them is never ignored.
-constexpr const char* own_words[] = {"gauge", "alig", "level", "cant", "superelevation", "rail_"};
+constexpr const char* own_words[] = {"gauge", "alig",      "level",  "cant", "superelevation",
+                                     "rail_", "curvature", "radius", "grad"};
 
-/// Name of a column as in `line_columns`: in lower case, with _ in place of blanks, points and hyphens.
+/// Name of a column as in line_columns: in lower case, with _ in place of blanks, points and hyphens.
 std::string columnKey(const std::string& name)
 {
   static const std::regex gaps("[\\s._-]+"), place("s|distance|station|chainage|mileage"), cross("crosslevel");
   const std::string key = std::regex_replace(lowerCase(name.substr(0, longest_word)), gaps, "_");
-  return std::regex_match(key, place) ? "x" : std::regex_match(key, cross) ? "cross_level" : key;
+  return std::regex_match(key, place)   ? "x"
+         : std::regex_match(key, cross) ? "cross_level"
+         : key == "superelevation"      ? "cant"
+                                        : key;
 }
 
 /// Table of a file. It is read as contact_states reads its tables, with a CellTable.
@@ -78,6 +83,12 @@ class LineFile
   }
 
   const TextFile& file() const { return file_; }
+  /// True if the table has one of these columns.
+  bool has(std::size_t first, std::size_t end) const
+  {
+    return std::any_of(used_.begin(), used_.end(),
+                       [&](const Used& used) { return used.quantity >= first && used.quantity < end; });
+  }
 
   /// Units of the columns [m], [rad].
   std::array<double, columns> units() const
@@ -129,8 +140,8 @@ class LineFile
   void addColumn(std::size_t index, const TableTitle& title)
   {
     const std::string key = columnKey(title.name);
-    const auto rule =
-        std::find_if(line_columns.begin(), line_columns.end(), [&](const LineColumn& r) { return key == r.name; });
+    const auto* const rule = std::find_if(line_columns.begin(), line_columns.end(),
+                                          [&](const LineColumn& column) { return key == column.name; });
     if (rule == line_columns.end())
     {
       const bool is_own = std::any_of(std::begin(own_words), std::end(own_words),
@@ -145,25 +156,21 @@ class LineFile
     const auto column = static_cast<std::size_t>(rule - line_columns.begin());
     refuseTitlesIf(has(column), "column '" + title.name + "' is given twice");
     refuseTitlesIf(title.unit.empty(), "column '" + title.name + "': must have a unit, for example '" + title.name +
-                                           (rule->is_angle ? " [mrad]'" : " [mm]'"));
-    const NamedUnit* unit = unitNamed(title.unit, rule->is_angle ? "angle" : "length");
+                                           " [" + unitNames(rule->kind)[1] + "]'");
+    const NamedUnit* unit = unitNamed(title.unit, rule->kind);
     refuseTitlesIf(unit == nullptr, "column '" + title.name + "': unknown unit '" + title.unit + "'; valid units are " +
-                                        (rule->is_angle ? "rad, mrad, deg" : "m, cm, mm, um, in, ft, km, mi"));
+                                        joined(unitNames(rule->kind), ", "));
     used_.push_back({index, column, unit->value * (axes_ == LineAxes::railway ? rule->railway_sign : 1)});
     has_place_ = has_place_ || column == x;
   }
 
-  bool has(std::size_t column) const
-  {
-    return std::any_of(used_.begin(), used_.end(), [&](const Used& used) { return used.quantity == column; });
-  }
+  bool has(std::size_t column) const { return has(column, column + 1); }
 
   void checkColumns() const
   {
     refuseTitlesIf(!has(x),
                    "column 'x' is missing" + (ignored_.empty() ? "" : "; others are " + joined(ignored_, ", ")));
-    const bool has_other = std::any_of(used_.begin(), used_.end(), [](const Used& used) { return used.quantity != x; });
-    refuseTitlesIf(!has_other, "no column has an irregularity; valid names are " + validNames());
+    refuseTitlesIf(!has(gauge, columns), "no column has an irregularity; valid names are " + validNames());
     const auto both = [this](std::size_t one, std::size_t other)
     {
       refuseTitlesIf(has(one) && has(other),
@@ -175,7 +182,7 @@ class LineFile
     both(level, level_right);
     for (std::size_t track = gauge; track <= cross_level; ++track)
     {
-      for (std::size_t rail = rail_lateral_left; rail < columns; ++rail)
+      for (std::size_t rail = rail_lateral_left; rail < curvature; ++rail)
       {
         both(track, rail);
       }
@@ -186,7 +193,7 @@ class LineFile
   {
     std::vector<std::string> names;
     std::transform(line_columns.begin(), line_columns.end(), std::back_inserter(names),
-                   [](const LineColumn& rule) { return rule.name; });
+                   [](const LineColumn& column) { return column.name; });
     return joined(names, ", ");
   }
 
@@ -219,8 +226,11 @@ std::string gapText(const TrackLine& line, const std::vector<LineStation>& stati
   const auto gap =
       std::adjacent_find(stations.begin(), stations.end(),
                          [&](const auto& one, const auto& next) { return next.x - one.x > line.longestGap(); });
-  return formatted("; longest gap %.4g m", line.longestGap()) +
-         (gap == stations.end() ? "" : formatted(", exceeded from %.10g to %.10g m", gap->x, std::next(gap)->x));
+  return std::isinf(line.longestGap())
+             ? ""
+             : formatted("; longest gap %.4g m", line.longestGap()) +
+                   (gap == stations.end() ? ""
+                                          : formatted(", exceeded from %.10g to %.10g m", gap->x, std::next(gap)->x));
 }
 }  // namespace
 
@@ -234,15 +244,20 @@ TrackLine readTrackLine(const std::string& path, double nominal_gauge, const Lin
     const bool is_reversed = isReversed(rows, table.file());
     checkValues(rows, nominal_gauge, table.file());
     std::vector<LineStation> stations;
-    std::transform(rows.begin(), rows.end(), std::back_inserter(stations), stationOf);
-    TrackLine line(path, stations, reading.longest_gap > 0 ? reading.longest_gap : usualGap(stations));
+    std::transform(rows.begin(), rows.end(), std::back_inserter(stations),
+                   [nominal_gauge](const LineRow& row) { return stationOf(row, nominal_gauge); });
+    const double gap = !table.has(gauge, curvature) ? std::numeric_limits<double>::infinity()
+                       : reading.longest_gap > 0    ? reading.longest_gap
+                                                    : usualGap(stations);
+    TrackLine line(path, stations, gap, reading.repeat);
     if (report != nullptr)
     {
       report->text =
-          formatted("%zu stations from %.10g to %.10g m", stations.size(), line.begin(), line.end()) +
+          formatted("%zu stations from %.10g to %.10g m", stations.size(), stations.front().x, stations.back().x) +
+          (reading.repeat ? ", repeated" : "") +
           (is_deviation ? formatted("; gauge as deviation from %.10g m", nominal_gauge) : "") +
           (is_reversed ? "; x decreases in the file: left and right are taken as seen towards increasing x" : "") +
-          gapText(line, stations) + table.remarks();
+          designText(rows) + gapText(line, stations) + table.remarks();
       report->doubts = lineDoubts(rows, table.units());
     }
     return line;

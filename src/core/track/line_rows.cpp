@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/text/formatted.h"
+#include "core/text/table_title.h"
 
 namespace wheel_rail_contact::core
 {
@@ -12,11 +13,13 @@ using namespace line_quantity;
 
 namespace
 {
-constexpr double largest_value = 0.2;  ///< of a displacement, or a difference from the nominal gauge [m], [rad]
+constexpr double largest_value = 0.2;  ///< of a displacement, a difference from the nominal gauge, and the design [SI]
 /// Largest change between two stations: slope [-], and change of any two [share of the gauge], far above those of real
 /// track (1:20 on the worst one, steps of a millimetre). A larger one is a filler for a missing value, or a fault.
 constexpr double steepest = 0.1, step_share = 0.003;
-constexpr double least_filler = 0.005;  ///< change to a value of nines from which it is a filler [m], [rad]
+constexpr double least_filler = 0.005;     ///< change to a value of nines from which it is a filler [m], [rad]
+constexpr double cant_base = 1.5 / 1.435;  ///< length over which the cant is measured, over the gauge (EN 13803)
+constexpr double least_contained = 0.02;   ///< cross level that may be the cant [m]
 
 /// Mean and difference of a quantity of both rails, left and right, from what is given.
 struct PairOfRails
@@ -36,7 +39,7 @@ struct PairOfRails
 };
 }  // namespace
 
-LineStation stationOf(const LineRow& row)
+LineStation stationOf(const LineRow& row, double nominal_gauge)
 {
   const auto value = [&row](std::size_t column) { return row.value[column].value_or(0); };
   const PairOfRails lateral(row.value[alignment], row.value[alignment_left], row.value[alignment_right],
@@ -49,6 +52,8 @@ LineStation stationOf(const LineRow& row)
                        vertical.middle + value(rail_vertical_left), value(rail_roll_left)};
   station.rail.right = {-lateral.middle + 0.5 * lateral.difference + value(rail_lateral_right),
                         vertical.middle + value(rail_vertical_right), value(rail_roll_right)};
+  station.design = {value(curvature), std::asin(std::clamp(value(cant) / (cant_base * nominal_gauge), -1.0, 1.0)),
+                    value(gradient)};
   return station;
 }
 
@@ -86,15 +91,22 @@ void checkValues(const std::vector<LineRow>& rows, double nominal_gauge, const T
       const bool is_filler = std::abs(change) > least_filler &&
                              ((row.nines[column] && std::abs(change) > 0.5 * std::abs(value)) ||
                               (before.nines[column] && std::abs(change) > 0.5 * std::abs(change - value)));
-      if (is_large || is_filler || std::abs(change) > steepest * distance + step_share * nominal_gauge)
+      const bool is_steep = column != curvature && std::abs(change) > steepest * distance + step_share * nominal_gauge;
+      if (is_large || is_filler || is_steep)
       {
-        file.refuse(row.line, formatted("column '%s': %s %.4g %s%s: another unit, or a filler for a missing value, "
+        file.refuse(row.line, formatted("column '%s': %s %.4g %s%s: another unit%s, or a filler for a missing value, "
                                         "which must be an empty cell",
                                         line_columns[column].name, is_large ? "a value of" : "a change by",
-                                        is_large ? value : change, line_columns[column].is_angle ? "rad" : "m",
-                                        is_large ? "" : formatted(" within %.4g m", distance).c_str()));
+                                        is_large ? value : change, unitNames(line_columns[column].kind)[0].c_str(),
+                                        is_large ? "" : formatted(" within %.4g m", distance).c_str(),
+                                        column == curvature ? ", the radius" : ""));
       }
     }
+    const double whole = row.value[cross_level].value_or(0), of_design = row.value[cant].value_or(0);
+    file.refuseIf(std::abs(whole) > least_contained && std::abs(whole - of_design) < 0.5 * std::abs(whole), row.line,
+                  formatted("cross_level is %.4g mm and cant %.4g mm: beside a column 'cant', the cross level is the "
+                            "deviation from it",
+                            1e3 * whole, 1e3 * of_design));
   }
 }
 
@@ -104,6 +116,11 @@ bool isReversed(std::vector<LineRow>& rows, const TextFile& file)
   for (std::size_t i = 1; i < rows.size(); ++i)
   {
     const double step = *rows[i].value[x] - *rows[i - 1].value[x];
+    const bool is_design = std::any_of(rows[i].value.begin() + curvature, rows[i].value.end(),
+                                       [](const std::optional<double>& value) { return value.has_value(); });
+    file.refuseIf(step == 0 && is_design, rows[i].line,
+                  "a second row at this x: a design has one curvature, cant and gradient at each place, the end of one "
+                  "element and begin of the next; a step of the curvature is a short clothoid");
     file.refuseIf(!(reversed ? step < 0 : step > 0), rows[i].line,
                   reversed ? "x must decrease, as from the first row to the last" : "x must increase");
   }
@@ -112,5 +129,22 @@ bool isReversed(std::vector<LineRow>& rows, const TextFile& file)
     std::reverse(rows.begin(), rows.end());
   }
   return reversed;
+}
+
+std::string designText(const std::vector<LineRow>& rows)
+{
+  double most = 0;
+  std::string raised;
+  for (const LineRow& row : rows)
+  {
+    const double curve = row.value[curvature].value_or(0);
+    most = std::abs(curve) > std::abs(most) ? curve : most;
+    if (raised.empty() && curve * row.value[cant].value_or(0) > 0)
+    {
+      raised = formatted("; at %.10g m the cant raises the inner rail: check the signs", *row.value[x]);
+    }
+  }
+  const char* side = most > 0 ? "left" : "right";
+  return (most == 0 ? "" : formatted("; smallest radius %.4g m, to the %s", 1 / std::abs(most), side)) + raised;
 }
 }  // namespace wheel_rail_contact::core

@@ -13,50 +13,39 @@ namespace wheel_rail_contact::core
 {
 namespace line_quantity
 {
-/// Quantities of a table.
-enum Quantity
-{
-  x,
-  gauge,
-  alignment,
-  alignment_left,
-  alignment_right,
-  level,
-  level_left,
-  level_right,
-  cross_level,
-  rail_lateral_left,
-  rail_vertical_left,
-  rail_roll_left,
-  rail_lateral_right,
-  rail_vertical_right,
-  rail_roll_right,
-  columns
-};
+/// Quantities of a table; those from the curvature on are the design.
+inline constexpr std::size_t x = 0, gauge = 1, alignment = 2, alignment_left = 3, alignment_right = 4, level = 5,
+                             level_left = 6, level_right = 7, cross_level = 8, rail_lateral_left = 9,
+                             rail_vertical_left = 10, rail_roll_left = 11, rail_lateral_right = 12,
+                             rail_vertical_right = 13, rail_roll_right = 14, curvature = 15, cant = 16, gradient = 17,
+                             columns = 18;
 }  // namespace line_quantity
 
 struct LineColumn
 {
   const char* name;
-  bool is_angle;
+  const char* kind;     ///< of its unit
   double railway_sign;  ///< -1: its sign changes in railway axes
 };
 
-inline constexpr std::array<LineColumn, line_quantity::columns> line_columns{{{"x", false, 1},
-                                                                              {"gauge", false, 1},
-                                                                              {"alignment", false, -1},
-                                                                              {"alignment_left", false, -1},
-                                                                              {"alignment_right", false, -1},
-                                                                              {"level", false, -1},
-                                                                              {"level_left", false, -1},
-                                                                              {"level_right", false, -1},
-                                                                              {"cross_level", false, 1},
-                                                                              {"rail_lateral_left", false, 1},
-                                                                              {"rail_vertical_left", false, -1},
-                                                                              {"rail_roll_left", true, 1},
-                                                                              {"rail_lateral_right", false, 1},
-                                                                              {"rail_vertical_right", false, -1},
-                                                                              {"rail_roll_right", true, 1}}};
+inline constexpr std::array<LineColumn, line_quantity::columns> line_columns{{{"x", "length", 1},
+                                                                              {"gauge", "length", 1},
+                                                                              {"alignment", "length", -1},
+                                                                              {"alignment_left", "length", -1},
+                                                                              {"alignment_right", "length", -1},
+                                                                              {"level", "length", -1},
+                                                                              {"level_left", "length", -1},
+                                                                              {"level_right", "length", -1},
+                                                                              {"cross_level", "length", 1},
+                                                                              {"rail_lateral_left", "length", 1},
+                                                                              {"rail_vertical_left", "length", -1},
+                                                                              {"rail_roll_left", "angle", 1},
+                                                                              {"rail_lateral_right", "length", 1},
+                                                                              {"rail_vertical_right", "length", -1},
+                                                                              {"rail_roll_right", "angle", 1},
+                                                                              {"curvature", "curvature", -1},
+                                                                              {"cant", "length", 1},
+                                                                              {"gradient", "slope", 1}}};
 
 /// A row of the table in SI units and REP-103 axes; nothing where the column is missing.
 struct LineRow
@@ -66,16 +55,18 @@ struct LineRow
   std::size_t line = 0;
 };
 
-LineStation stationOf(const LineRow& row);
+LineStation stationOf(const LineRow& row, double nominal_gauge);
 /// Makes deviations of the gauge from the nominal one. @return true if they are
 bool isDeviation(std::vector<LineRow>& rows, double nominal, const TextFile& file);
 /// Puts the rows in the order of x. @return true if they were in the opposite order
 bool isReversed(std::vector<LineRow>& rows, const TextFile& file);
-/// Refuses values that no track has.
+/// Refuses values that no track has, and a cross level that contains the cant.
 void checkValues(const std::vector<LineRow>& rows, double nominal_gauge, const TextFile& file);
 /// Questions on rows in the order of x, each naming columns and values: a quantity that is given twice with two values,
 /// a value that stays where the others move, values and distances of stations that their unit makes implausible.
-/// @param units  of the columns as written [m], [rad]
+/// @param units  of the columns as written, in SI units
 std::vector<std::string> lineDoubts(const std::vector<LineRow>& rows,
                                     const std::array<double, line_quantity::columns>& units);
+/// Smallest radius, and the first place where the inner rail is the higher one.
+std::string designText(const std::vector<LineRow>& rows);
 }  // namespace wheel_rail_contact::core

@@ -17,16 +17,11 @@ constexpr LengthRange gauge_depths{1e-5, 0.1};
 constexpr LengthRange rolling_radii{0.05, 2};
 constexpr LengthRange tape_circles{0.005, 0.5};
 
-constexpr double largest_value = 0.2;  ///< of a cross level or displacement [m], [rad]
-
-/// True if the values of a station are finite and not above 0.2 m or 0.2 rad.
-bool isPlausible(const LineStation& station)
-{
-  const auto valid = [](double value) { return std::abs(value) <= largest_value; };
-  const auto placed = [&valid](const RailDeflection& rail)
-  { return valid(rail.lateral) && valid(rail.vertical) && valid(rail.roll); };
-  return valid(station.cross_level) && placed(station.rail.left) && placed(station.rail.right);
-}
+constexpr double largest_value = 0.2;   ///< of a cross level or displacement [m], [rad], and of the design
+constexpr double joined_within = 1e-6;  ///< values at both ends of a line that repeats [SI units]
+constexpr const char* quantity_names[] = {
+    "cross_level",         "rail_lateral_left", "rail_vertical_left", "rail_roll_left", "rail_lateral_right",
+    "rail_vertical_right", "rail_roll_right",   "curvature",          "cant",           "gradient"};
 }  // namespace
 
 double modelScale(const TrackConfig& track, const WheelsetConfig& wheelset)
@@ -67,11 +62,13 @@ void validate(const WheelsetConfig& wheelset)
 TrackLine::Quantities TrackLine::quantitiesOf(const LineStation& station)
 {
   const RailDeflection &left = station.rail.left, &right = station.rail.right;
-  return {station.cross_level, left.lateral, left.vertical, left.roll, right.lateral, right.vertical, right.roll};
+  const TrackDesign& design = station.design;
+  return {station.cross_level, left.lateral, left.vertical,    left.roll,   right.lateral,
+          right.vertical,      right.roll,   design.curvature, design.cant, design.gradient};
 }
 
-TrackLine::TrackLine(std::string name, const std::vector<LineStation>& stations, double longest_gap)
-    : name_(std::move(name)), longest_gap_(longest_gap)
+TrackLine::TrackLine(std::string name, const std::vector<LineStation>& stations, double longest_gap, bool repeats)
+    : name_(std::move(name)), longest_gap_(longest_gap), repeats_(repeats)
 {
   refuseIf(stations.size() < 2, name_ + ": a line needs at least two stations");
   for (std::size_t i = 0; i < stations.size(); ++i)
@@ -80,23 +77,48 @@ TrackLine::TrackLine(std::string name, const std::vector<LineStation>& stations,
     values_.push_back(quantitiesOf(stations[i]));
     const bool increases = std::isfinite(x_[i]) && (i == 0 || x_[i] > x_[i - 1]);
     refuseIf(!increases, name_, ": station ", i + 1, ": x must increase");
-    refuseIf(!isPlausible(stations[i]), name_, ": station ", i + 1,
-             ": a cross level or displacement is above 0.2 m or 0.2 rad");
+    const auto begin = values_[i].begin(), end = values_[i].end(), design = begin + irregularities;
+    const auto large = std::find_if(begin, end, [](double value) { return !(std::abs(value) <= largest_value); });
+    refuseIf(large != end, name_, ": station ", i + 1,
+             large < design ? ": a cross level or displacement is above 0.2 m or 0.2 rad"
+                            : ": curvature, cant or gradient is above 0.2 1/m, 0.2 rad or 0.2");
+  }
+  if (repeats_)
+  {
+    for (std::size_t k = 0; k < quantities; ++k)
+    {
+      const double step = values_.back()[k] - values_.front()[k];
+      refuseIf(std::abs(step) > joined_within, name_, ": repeat: a step of ", step, " in ", quantity_names[k],
+               " (SI units) from the last station to the first one");
+    }
+    values_.back() = values_.front();
   }
   slopes_.resize(x_.size());
-  for (std::size_t k = 0; k < quantities; ++k)
+  for (std::size_t k = 0; k < irregularities; ++k)
   {
     const auto rise = [&](std::size_t i) { return (values_[i + 1][k] - values_[i][k]) / (x_[i + 1] - x_[i]); };
     const std::size_t last = x_.size() - 1;
-    slopes_.front()[k] = rise(0);
-    slopes_.back()[k] = rise(last - 1);
+    const auto slope = [&](std::size_t before, std::size_t after)  // intervals, by the station at their end
+    {
+      return isGap(before)  ? rise(after - 1)
+             : isGap(after) ? rise(before - 1)
+                            : monotoneSlope(rise(before - 1), rise(after - 1), x_[before] - x_[before - 1],
+                                            x_[after] - x_[after - 1]);
+    };
+    slopes_.front()[k] = repeats_ ? slope(last, 1) : rise(0);
+    slopes_.back()[k] = repeats_ ? slope(last, 1) : rise(last - 1);
     for (std::size_t i = 1; i < last; ++i)
     {
-      slopes_[i][k] = isGap(i)       ? rise(i)
-                      : isGap(i + 1) ? rise(i - 1)
-                                     : monotoneSlope(rise(i - 1), rise(i), x_[i] - x_[i - 1], x_[i + 1] - x_[i]);
+      slopes_[i][k] = slope(i, i + 1);
     }
   }
+}
+
+/// The place of the first repetition that is as x [m].
+double TrackLine::withinStations(double x) const
+{
+  const double length = x_.back() - x_.front();
+  return repeats_ ? x - std::floor((x - x_.front()) / length) * length : x;
 }
 
 /// Number of the first station after x, at least 1; of the last one if there is none.
@@ -107,22 +129,39 @@ std::size_t TrackLine::stationAfter(double x) const
 
 std::optional<std::array<double, 2>> TrackLine::gapAt(double x) const
 {
-  const std::size_t i = stationAfter(x);
-  const bool is_inside = isGap(i) && x > x_[i - 1] && x < x_[i];
-  return is_inside ? std::optional(std::array<double, 2>{x_[i - 1], x_[i]}) : std::nullopt;
+  const double place = withinStations(x), moved = x - place;
+  const std::size_t i = stationAfter(place);
+  const bool is_inside = isGap(i) && place > x_[i - 1] && place < x_[i];
+  return is_inside ? std::optional(std::array<double, 2>{x_[i - 1] + moved, x_[i] + moved}) : std::nullopt;
 }
 
 LineStation TrackLine::at(double x) const
 {
-  const std::size_t i = stationAfter(x);
-  const double t = x - x_[i - 1];
-  Quantities q;
-  for (std::size_t k = 0; k < quantities; ++k)
+  const double place = withinStations(x);
+  const std::size_t i = stationAfter(place);
+  const double t = place - x_[i - 1];
+  std::array<double, irregularities> q;
+  for (std::size_t k = 0; k < irregularities; ++k)
   {
     double c[4];
     setCubic(values_[i - 1][k], values_[i][k], slopes_[i - 1][k], slopes_[i][k], x_[i] - x_[i - 1], c);
     q[k] = c[0] + t * (c[1] + t * (c[2] + t * c[3]));
   }
-  return {x, q[0], {RailDeflection{q[1], q[2], q[3]}, RailDeflection{q[4], q[5], q[6]}}};
+  return {x, q[0], {RailDeflection{q[1], q[2], q[3]}, RailDeflection{q[4], q[5], q[6]}}, designAt(x)};
+}
+
+TrackDesign TrackLine::designAt(double x, TrackDesign* change) const
+{
+  const double place = std::clamp(withinStations(x), x_.front(), x_.back());
+  const std::size_t i = stationAfter(place);
+  const auto &from = values_[i - 1], &to = values_[i];
+  const auto rate = [&](std::size_t k)
+  { return (to[irregularities + k] - from[irregularities + k]) / (x_[i] - x_[i - 1]); };
+  const auto value = [&](std::size_t k) { return from[irregularities + k] + (place - x_[i - 1]) * rate(k); };
+  if (change != nullptr)
+  {
+    *change = {rate(0), rate(1), rate(2)};
+  }
+  return {value(0), value(1), value(2)};
 }
 }  // namespace wheel_rail_contact::core

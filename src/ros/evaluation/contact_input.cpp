@@ -70,7 +70,7 @@ std::string shown(const std::string& text)
   return text.size() <= room ? text : text.substr(0, room) + "...";
 }
 
-/// Transform from the frame of a pose to the track frame.
+/// Transform from the frame of a pose to the track frame, or to the fixed one.
 Eigen::Isometry3d toTrack(const std_msgs::Header& pose, const std::string& track_frame,
                           const tf2::BufferCore& transforms)
 {
@@ -162,7 +162,8 @@ void setMotion(const geometry_msgs::TwistStamped& message, const std::string& po
   requireFinite(linear, "twist: linear");
   requireFinite(angular, "twist: angular");
   Eigen::Vector3d velocity(linear.x, linear.y, linear.z), rotation(angular.x, angular.y, angular.z);
-  if (frame != track_frame)
+  state.motion_over_ground = frame != track_frame;
+  if (state.motion_over_ground)
   {
     velocity = to_track * velocity;
     rotation = to_track * rotation;
@@ -183,15 +184,23 @@ bool isFrameName(const std::string& name)
 }
 
 core::WheelsetState toState(const ContactInput& input, const std::string& track_frame,
-                            const tf2::BufferCore& transforms)
+                            const tf2::BufferCore& transforms, const std::string& fixed_frame,
+                            const core::TrackPath* path)
 {
   refuseIf(!input.fault.empty(), input.fault);
   core::WheelsetState state;
   const Eigen::Isometry3d own = toIsometry(input.pose->pose);
-  const Eigen::Isometry3d to_track = toTrack(input.pose->header, track_frame, transforms), pose = to_track * own;
+  const bool is_fixed = path != nullptr && input.pose->header.frame_id != track_frame;
+  Eigen::Isometry3d to_track = toTrack(input.pose->header, is_fixed ? fixed_frame : track_frame, transforms);
+  const double place = is_fixed ? path->placeOf(to_track * own.translation()) : 0;
+  if (is_fixed)
+  {
+    to_track = path->frameAt(place).inverse() * to_track;
+  }
+  const Eigen::Isometry3d pose = to_track * own;
   const core::WheelsetPose wheelset = toWheelsetPose(pose);
   requireAxle(pose.linear(), wheelset);
-  state.x = state.distance = pose.translation().x();
+  state.x = state.distance = place + pose.translation().x();
   state.y = wheelset.y;
   state.z = wheelset.z;
   state.yaw = wheelset.yaw;
@@ -207,7 +216,7 @@ core::WheelsetState toState(const ContactInput& input, const std::string& track_
     setRail(input.rail_displacement->left, core::Side::left, state);
     setRail(input.rail_displacement->right, core::Side::right, state);
   }
-  if (input.distance)
+  if (input.distance && !is_fixed)
   {
     state.distance = input.distance->point.x;
     requireFinite({state.distance}, "distance: point.x");
@@ -224,8 +233,8 @@ bool InputPreparation::isReady(const ContactInput& input) const
   const std_msgs::Header& header = input.pose->header;
   try
   {
-    return header.frame_id == track_frame_ || !isFrameName(header.frame_id) ||
-           transforms_.canTransform(track_frame_, header.frame_id, header.stamp);
+    return header.frame_id == track_frame_ || header.frame_id == tfFrame() || !isFrameName(header.frame_id) ||
+           transforms_.canTransform(tfFrame(), header.frame_id, header.stamp);
   }
   catch (const std::exception&)
   {
@@ -240,10 +249,10 @@ PreparedInput InputPreparation::prepare(const ContactInput& input)
   prepared.resets = reset_rule_.resets(prepared.stamp);
   try
   {
-    prepared.state = toState(input, track_frame_, transforms_);
+    prepared.state = toState(input, track_frame_, transforms_, fixed_frame_, path_.get());
     const std::string& frame = input.pose->header.frame_id;
     const double error = frame == track_frame_ ? 0
-                                               : transforms_.interpolationError(track_frame_, frame, prepared.stamp,
+                                               : transforms_.interpolationError(tfFrame(), frame, prepared.stamp,
                                                                                 input.pose->pose.position);
     if (error > largest_tf_error)
     {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -45,15 +46,19 @@ bool isFrameName(const std::string& name);
 /// Distance: point.x is the place along the line [m]; frame_id is not used. Without this message it is x of the pose in
 /// the track frame.
 ///
-/// Twist: velocity of the axle centre, in the track frame, or in the frame of the pose, from which it is turned. In
-/// track axes `angular` is roll rate, rotation about the axle and yaw rate: the rotation is along y whatever yaw and
-/// roll are.
+/// Twist: velocity of the axle centre, relative to the track frame; or over ground in the frame of the pose, from which
+/// it is turned. In track axes `angular` is roll rate, rotation about the axle and yaw rate: the rotation is along y
+/// whatever yaw and roll are.
 ///
 /// @throw UnusableInput with INVALID_INPUT for ContactInput::fault, a number that is not finite, an invalid quaternion,
 /// or a load or twist in another frame; with NO_TRANSFORM if tf has no transform from the frame of the pose to the
 /// track frame.
+///
+/// @param fixed_frame  with `path`: a pose that is not in the track frame is transformed to this frame and from there
+/// to the track frame in whose cross section it lies; x and the place on the line are that of the cross section.
 core::WheelsetState toState(const ContactInput& input, const std::string& track_frame,
-                            const tf2::BufferCore& transforms);
+                            const tf2::BufferCore& transforms, const std::string& fixed_frame = "",
+                            const core::TrackPath* path = nullptr);
 
 /// Input of an evaluation: the state, or the reason why the input is unusable.
 struct PreparedInput
@@ -107,7 +112,11 @@ class InputPreparation
   /// Keeps no reference to `config`.
   /// @param transforms,neighbours must outlive the preparation
   InputPreparation(const NodeConfig& config, const TransformStore& transforms, const NeighbourForces& neighbours)
-      : track_frame_(config.track_frame), transforms_(transforms), neighbours_(neighbours)
+      : track_frame_(config.track_frame),
+        fixed_frame_(config.fixed_frame),
+        path_(config.path),
+        transforms_(transforms),
+        neighbours_(neighbours)
   {
   }
 
@@ -119,7 +128,11 @@ class InputPreparation
   void restart() { reset_rule_ = ResetRule(); }
 
  private:
-  std::string track_frame_;
+  /// Frame to which tf transforms the poses.
+  const std::string& tfFrame() const { return path_ ? fixed_frame_ : track_frame_; }
+
+  std::string track_frame_, fixed_frame_;
+  std::shared_ptr<const core::TrackPath> path_;
   const TransformStore& transforms_;
   const NeighbourForces& neighbours_;
   ResetRule reset_rule_;

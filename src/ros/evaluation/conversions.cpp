@@ -39,15 +39,6 @@ auto reading(const Message& from, Core& to)
   return [&from, &to](const ResultField& /*field*/, auto core, auto message) { assign(message(from), core(to)); };
 }
 
-geometry_msgs::Vector3 vectorMessage(const Eigen::Vector3d& v)
-{
-  geometry_msgs::Vector3 message;
-  message.x = v.x();
-  message.y = v.y();
-  message.z = v.z();
-  return message;
-}
-
 Eigen::Vector3d fromMessage(const geometry_msgs::Vector3& message)
 {
   return {message.x, message.y, message.z};
@@ -149,6 +140,15 @@ core::PatchPose patchPoseFromMessage(const geometry_msgs::Pose& pose, double x)
   return result;
 }
 }  // namespace
+
+geometry_msgs::Vector3 vectorMessage(const Eigen::Vector3d& v)
+{
+  geometry_msgs::Vector3 message;
+  message.x = v.x();
+  message.y = v.y();
+  message.z = v.z();
+  return message;
+}
 
 geometry_msgs::Quaternion toMessage(const Eigen::Quaterniond& q)
 {

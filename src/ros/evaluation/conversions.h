@@ -30,6 +30,7 @@ core::WheelsetPose toWheelsetPose(const Eigen::Isometry3d& pose);
 double pitchOf(const Eigen::Isometry3d& pose, const core::WheelsetPose& wheelset);
 /// True if a message has a pose. Without one, all its numbers are zero, also those of the quaternion.
 bool hasPose(const geometry_msgs::Pose& pose);
+geometry_msgs::Vector3 vectorMessage(const Eigen::Vector3d& v);
 /// Rotation as a message.
 geometry_msgs::Quaternion toMessage(const Eigen::Quaterniond& q);
 /// Pose of the axle centre in the track frame, with the orientation Rz(yaw) Rx(roll).

@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "core/option_check.h"
+#include "ros/evaluation/conversions.h"
 #include "ros/markers/contact_scene.h"
 #include "ros/markers/stress_section.h"
 #include "ros/markers/track_markers.h"
@@ -126,6 +127,10 @@ void ContactServer::advertise()
   marker_publisher_ = private_nh_.advertise<visualization_msgs::MarkerArray>("markers", marker_queue_size);
   profile_publisher_ = private_nh_.advertise<visualization_msgs::MarkerArray>("profiles", 1, true);
   profile_publisher_.publish(profileMarkers(config_));
+  if (config_.path)
+  {
+    frame_publisher_ = nh_.advertise<tf2_msgs::TFMessage>("/tf", queue_size);
+  }
 }
 
 void ContactServer::subscribe()
@@ -222,6 +227,10 @@ void ContactServer::work()
 void ContactServer::evaluate(const ContactInput& input)
 {
   const ContactOutput output = chain_.evaluate(input, [this] { return inputs_.closed(); });
+  if (config_.path && !output.rejected)
+  {
+    publishTrackFrame(output);
+  }
   const bool wants_message = contact_publisher_.getNumSubscribers() > 0;
   if (wants_message)
   {
@@ -241,6 +250,20 @@ void ContactServer::evaluate(const ContactInput& input)
   {
     publishMarkers(output);
   }
+}
+
+void ContactServer::publishTrackFrame(const ContactOutput& output) const
+{
+  const core::WheelsetState& state = output.state;
+  const Eigen::Isometry3d frame = config_.path->frameAt(state.distance) * Eigen::Translation3d(-state.x, 0, 0);
+  tf2_msgs::TFMessage message;
+  geometry_msgs::TransformStamped& transform = message.transforms.emplace_back();
+  transform.header.stamp = output.header.stamp;
+  transform.header.frame_id = config_.fixed_frame;
+  transform.child_frame_id = config_.track_frame;
+  transform.transform.translation = vectorMessage(frame.translation());
+  transform.transform.rotation = toMessage(Eigen::Quaterniond(frame.linear()));
+  frame_publisher_.publish(message);
 }
 
 void ContactServer::warn(const std::string& beyond_linear_range)

@@ -76,6 +76,7 @@ class ContactServer
   void warnOfMissingStamp(InputTopic topic, const ros::Time& stamp);
   bool pictureIsDue();
   void publishMarkers(const ContactOutput& output);
+  void publishTrackFrame(const ContactOutput& output) const;
   void reportNow();
   void report(diagnostic_updater::DiagnosticStatusWrapper& status);
 
@@ -100,7 +101,7 @@ class ContactServer
 
   ImmediateCallbacks immediate_;
   std::vector<ros::Subscriber> subscribers_;
-  ros::Publisher contact_publisher_, marker_publisher_, profile_publisher_;
+  ros::Publisher contact_publisher_, marker_publisher_, profile_publisher_, frame_publisher_;
   MarkerKeys shown_markers_;       ///< markers of the last published array; worker only
   PressureScale pressure_scale_;   ///< of the markers; worker only
   PressureScale stress_scale_{0};  ///< of the markers; worker only

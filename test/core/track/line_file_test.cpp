@@ -47,6 +47,8 @@ void expectSame(const LineStation& a, const LineStation& b)
   constexpr double tolerance = 1e-16;  // of differences of gauges [m], and of the conversion of units
   EXPECT_EQ(a.x, b.x);
   EXPECT_NEAR(a.cross_level, b.cross_level, tolerance);
+  EXPECT_EQ(std::tie(a.design.curvature, a.design.cant, a.design.gradient),
+            std::tie(b.design.curvature, b.design.cant, b.design.gradient));
   for (const Side side : sides)
   {
     EXPECT_NEAR(a.rail[side].lateral, b.rail[side].lateral, tolerance);
@@ -87,39 +89,30 @@ TEST_F(LineFileTest, UnitsSeparatorsAndCommentsGiveTheSameLine)
     SCOPED_TRACE(table);
     expectSame(read(table).at(2), expected);
   }
-  const double pi = std::acos(-1.0);
-  for (const char* title : {"rail_roll_left [rad]\n0,0.01\n1,0", "rail_roll_left [mrad]\n0,10\n1,0"})
+  for (const char* title : {"[rad]\n0,0.01\n1,0", "[mrad]\n0,10\n1,0", "[deg]\n0,0.5729577951308232\n1,0"})
   {
-    expectSame(read(std::string("x [m],") + title).at(0), {0, 0, {RailDeflection{0, 0, 0.01}, {}}});
+    expectSame(read(std::string("x [m],rail_roll_left ") + title).at(0), {0, 0, {RailDeflection{0, 0, 0.01}, {}}});
   }
-  expectSame(read("x [m],rail_roll_left [deg]\n0,1\n1,0").at(0), {0, 0, {RailDeflection{0, 0, pi / 180}, {}}});
 }
 
-// y right and z down: lateral positions and heights change their sign. Gauge, cross level, and the outward displacement
-// and roll of a rail do not depend on the axes.
+// y right and z down: lateral positions, heights and curvatures change their sign. Gauge, cross level, cant, gradient,
+// and the outward displacement and roll of a rail do not depend on the axes.
 TEST_F(LineFileTest, RailwayAxesDescribeTheSameLine)
 {
-  const TrackLine line = read(
-      "x [m],gauge [mm],alignment_left [mm],alignment_right [mm],level_left [mm],level_right [mm],cross_level [mm]\n"
-      "0,1440,3,-1,2,5,7\n1,1435,0,0,0,0,0\n");
-  const TrackLine railway = read(
-      "x [m],gauge [mm],alignment_left [mm],alignment_right [mm],level_left [mm],level_right [mm],cross_level [mm]\n"
-      "0,1440,-3,1,-2,-5,7\n1,1435,0,0,0,0,0\n",
-      LineAxes::railway);
-  const TrackLine middle = read("x [m],alignment [mm],level [mm],gauge [mm]\n0,3,4,1440\n1,0,0,1435\n");
-  const TrackLine railway_middle =
-      read("x [m],alignment [mm],level [mm],gauge [mm]\n0,-3,-4,1440\n1,0,0,1435\n", LineAxes::railway);
-  const TrackLine rails = read(
-      "x [m],rail_lateral_right [mm],rail_vertical_right [mm],rail_roll_right [mrad]\n"
-      "0,3,4,5\n1,0,0,0\n");
-  const TrackLine railway_rails =
-      read("x [m],rail_lateral_right [mm],rail_vertical_right [mm],rail_roll_right [mrad]\n0,3,-4,5\n1,0,0,0\n",
-           LineAxes::railway);
-  for (const double x : {0.0, 0.4, 1.0})
+  const std::string both = "gauge [mm],alignment_left [mm],alignment_right [mm],level_left [mm],level_right [mm]";
+  const std::vector<std::array<std::string, 3>> lines{
+      {both + ",cross_level [mm]\n0,1440,", "3,-1,2,5,7", "-3,1,-2,-5,7\n1,1435,0,0,0,0,0\n"},
+      {"gauge [mm],alignment [mm],level [mm]\n0,1440,", "3,4", "-3,-4\n1,1435,0,0\n"},
+      {"rail_lateral_right [mm],rail_vertical_right [mm],rail_roll_right [mrad]\n0,", "3,4,5", "3,-4,5\n1,0,0,0\n"},
+      {"curvature [1/km],cant [mm],gradient [%]\n0,", "3,60,0.5", "-3,60,0.5\n1,0,0,0\n"}};
+  for (const auto& [begin, of_first, railway] : lines)
   {
-    expectSame(line.at(x), railway.at(x));
-    expectSame(middle.at(x), railway_middle.at(x));
-    expectSame(rails.at(x), railway_rails.at(x));
+    const TrackLine line = read("x [m]," + begin + of_first + railway.substr(railway.find('\n')));
+    const TrackLine other = read("x [m]," + begin + railway, LineAxes::railway);
+    for (const double x : {0.0, 0.4, 1.0})
+    {
+      expectSame(line.at(x), other.at(x));
+    }
   }
 }
 
@@ -127,8 +120,9 @@ TEST_F(LineFileTest, MistakesAreRefusedWithLineAndReason)
 {
   const std::string names =
       "x, gauge, alignment, alignment_left, alignment_right, level, level_left, level_right, cross_level, "
-      "rail_lateral_left, rail_vertical_left, rail_roll_left, rail_lateral_right, rail_vertical_right, rail_roll_right";
-  const std::string unknown = ":1: column 'cant': unknown quantity; valid names are " + names;
+      "rail_lateral_left, rail_vertical_left, rail_roll_left, rail_lateral_right, rail_vertical_right, "
+      "rail_roll_right, curvature, cant, gradient";
+  const std::string unknown = ":1: column 'cant_left': unknown quantity; valid names are " + names;
   const std::string half_open = ":1: column 'gauge [mm': unknown quantity; valid names are " + names;
   const std::string with_more = ":1: column 'gauge [mm] left': unknown quantity; valid names are " + names;
   const std::string none = ":1: no column has an irregularity; valid names are " + names;
@@ -139,7 +133,7 @@ TEST_F(LineFileTest, MistakesAreRefusedWithLineAndReason)
   const std::vector<Mistake> mistakes{
       {"", ": is empty"},
       {"# only a comment\n\n", ": is empty"},
-      {"x [m],cant [mm]\n0,0\n1,0\n", unknown},
+      {"x [m],cant_left [mm]\n0,0\n1,0\n", unknown},
       {"x [m],gauge\n", ":1: column 'gauge': must have a unit, for example 'gauge [mm]'"},
       {"x [m],gauge [mm\n", half_open},
       {"x [m],gauge [mm] left\n", with_more},
@@ -176,6 +170,16 @@ TEST_F(LineFileTest, MistakesAreRefusedWithLineAndReason)
       {"x [m],level_left [m],level_right [m]\n0,0.15,-0.15\n1,0.15,-0.15\n",
        ": station 1: a cross level or displacement is above 0.2 m or 0.2 rad"},
       {"x [m],level [mm]\n", ": a line needs at least two stations"},
+      {"x [m],curvature [m]\n0,300\n", ":1: column 'curvature': unknown unit 'm'; valid units are 1/m, 1/km"},
+      {"x [m],curvature [1/km]\n0,0\n9,0\n9,3\n",
+       ":4: a second row at this x: a design has one curvature, cant and gradient at each place, the end of one "
+       "element "
+       "and begin of the next; a step of the curvature is a short clothoid"},
+      {"x [m],curvature [1/km]\n0,0\n9,300\n",
+       ":3: column 'curvature': a value of 0.3 1/m: another unit, the radius" + filler.substr(filler.find(','))},
+      {"x [m],gradient\n0,0\n", ":1: column 'gradient': must have a unit, for example 'gradient [permil]'"},
+      {"x [m],cant [mm],cross_level [mm]\n0,0,1\n9,100,103\n",
+       ":3: cross_level is 103 mm and cant 100 mm: beside a column 'cant', the cross level is the deviation from it"},
       {"x [m],level [mm]\n0,0\n", ": a line needs at least two stations"},
   };
   for (const Mistake& mistake : mistakes)
@@ -230,10 +234,8 @@ TEST_F(LineFileTest, NothingIsKnownAcrossAGap)
   const std::string path = folder_.write("line.csv", table);
   const TrackLine line = readTrackLine(path, gauge, {}, &report);
   EXPECT_EQ(report.text, "42 stations from 0 to 20 m; longest gap 0.75 m, exceeded from 5 to 15 m");
-  EXPECT_TRUE(line.contains(5));
-  EXPECT_TRUE(line.contains(15));
-  EXPECT_FALSE(line.contains(std::nextafter(5, 6)));
-  EXPECT_FALSE(line.contains(std::nextafter(15, 14)));
+  EXPECT_TRUE(line.contains(5) && line.contains(15));
+  EXPECT_FALSE(line.contains(std::nextafter(5, 6)) || line.contains(std::nextafter(15, 14)));
   EXPECT_EQ(line.gapAt(7.5), (std::array<double, 2>{5, 15}));
   EXPECT_FALSE(line.gapAt(4.9));
   EXPECT_TRUE(readTrackLine(path, gauge, {LineAxes::rep103, 10}).contains(7.5));
@@ -285,6 +287,33 @@ TEST_F(LineFileTest, NinesAmongTheirLikeAreNoFiller)
   EXPECT_NEAR(read("x [m],level [um]\n0,40.1\n1,99.9\n2,12\n").at(1).rail.left.vertical, 99.9e-6, 1e-16);
   const std::string metre_gauge = folder_.write("line.csv", "x [m],gauge [mm]\n0,1000.2\n1,999.9\n2,1000.1\n");
   EXPECT_NEAR(readTrackLine(metre_gauge, 1).at(1).rail.left.lateral, -0.05e-3, 1e-15);
+}
+
+// Clothoids by their ends. The rule on gaps holds for irregularities only.
+TEST_F(LineFileTest, DesignIsLinearBetweenItsStations)
+{
+  LineReport report;
+  const std::string path = folder_.write("design.csv",
+                                         "x;curvature;cant;gradient\nm;1/km;mm;permil\n0;0;0;10\n100;0;0;10\n"
+                                         "150;4;-100;10\n400;4;-100;-5\n");
+  const TrackLine alone = readTrackLine(path, gauge, {}, &report);
+  EXPECT_EQ(report.text, "4 stations from 0 to 400 m; smallest radius 250 m, to the left");
+  const std::string other =
+      "x [m],level [mm],curvature [1/m],superelevation [cm]\n100,2,0,0\n150,2,4e-3,10\n400,1,4e-3,10";
+  const TrackLine with_level = readTrackLine(folder_.write("line.csv", other), gauge, {LineAxes::rep103, 100}, &report);
+  EXPECT_EQ(
+      report.text,
+      "3 stations from 100 to 400 m; smallest radius 250 m, to the left; at 150 m the cant raises the inner rail: "
+      "check the signs; longest gap 100 m, exceeded from 150 to 400 m");
+  EXPECT_TRUE(with_level.contains(125) && alone.contains(280) && !with_level.contains(280));
+  for (const double x : {50.0, 125.0, 150.0, 280.0, 400.0})
+  {
+    const double along = std::clamp((x - 100) / 50, 0.0, 1.0);
+    EXPECT_NEAR(alone.designAt(x).curvature, 4e-3 * along, 1e-15);
+    EXPECT_NEAR(with_level.designAt(x).curvature, 4e-3 * along, 1e-15);
+    EXPECT_NEAR(alone.designAt(x).cant, -std::asin(0.1 / 1.5) * along, 1e-15);
+    EXPECT_NEAR(alone.designAt(x).gradient, 0.01 - 0.015 * std::max(x - 150, 0.0) / 250, 1e-15);
+  }
 }
 
 TEST_F(LineFileTest, FilesThatCannotBeReadAreRefused)

@@ -108,12 +108,14 @@ TEST_F(TrackLineTest, NeverLeavesTheRangeOfTheTwoNearestStations)
 }
 
 // The slopes on both sides of a station, from differences over h, differ by the curvature times h. The curvature is at
-// most six times the largest change (0.04) over the square of the smallest interval (0.05 m): 96 1/m.
+// most six times the largest change (0.04) over the square of the smallest interval (0.05 m): 96 1/m. Where a line
+// repeats there is none either.
 TEST_F(TrackLineTest, HasNoKinkAtAStation)
 {
-  const TrackLine line("random", stations_);
+  stations_.back() = {stations_.back().x, stations_.front().cross_level, stations_.front().rail};
+  const TrackLine line("random", stations_, 1e9, true);
   constexpr double h = 1e-6;  // [m]
-  for (std::size_t i = 1; i + 1 < stations_.size(); ++i)
+  for (std::size_t i = 0; i < stations_.size(); ++i)
   {
     const double x = stations_[i].x;
     const std::vector<double> before = valuesOf(line.at(x - h)), here = valuesOf(line.at(x)),
@@ -182,12 +184,29 @@ TEST_F(TrackLineTest, ShortestWaveOfD1IsReproducedWithinItsSagBetweenStations)
 TEST_F(TrackLineTest, ContainsItsEndsAndNothingBeyondThem)
 {
   const TrackLine line("line", {stationAt(-1, 0), stationAt(2, 1e-3)});
-  EXPECT_TRUE(line.contains(-1));
-  EXPECT_TRUE(line.contains(0.3));
-  EXPECT_TRUE(line.contains(2));
-  EXPECT_FALSE(line.contains(std::nextafter(-1, -2)));
-  EXPECT_FALSE(line.contains(std::nextafter(2, 3)));
+  EXPECT_TRUE(line.contains(-1) && line.contains(0.3) && line.contains(2));
+  EXPECT_FALSE(line.contains(std::nextafter(-1, -2)) || line.contains(std::nextafter(2, 3)));
   EXPECT_FALSE(line.contains(std::nan("")));
+}
+
+TEST_F(TrackLineTest, RepeatsOrNamesTheStep)
+{
+  stations_.back() = {stations_.back().x, stations_.front().cross_level, stations_.front().rail};
+  const TrackLine line("line", stations_, 0.9, true);
+  const double length = stations_.back().x - stations_.front().x, rounding = 1e-9;  // of a place, times slopes below 1
+  for (const double x : {0.0, 3.21, 77.7, 140.0, line.places().back()})
+  {
+    for (const double repetition : {-3.0, 1.0, 1000.0})
+    {
+      expectNear(line.at(x + repetition * length), line.at(x), rounding);
+      EXPECT_EQ(line.contains(x + repetition * length), line.contains(x));
+    }
+  }
+  const double gap = 0.5 * (stations_[9].x + stations_[10].x);
+  EXPECT_EQ(TrackLine("gaps", stations_, 1e-3, true).gapAt(gap + length)->front(), stations_[9].x + length);
+  stations_.back().rail.left.vertical += 2e-6;
+  EXPECT_EQ(refusalOf([&] { TrackLine("line", stations_, 1, true); }),
+            "line: repeat: a step of 2e-06 in rail_vertical_left (SI units) from the last station to the first one");
 }
 
 TEST_F(TrackLineTest, InvalidStationsAreRefusedByNumber)
@@ -215,5 +234,7 @@ TEST_F(TrackLineTest, InvalidStationsAreRefusedByNumber)
           << "quantity " << k;
     }
   }
+  EXPECT_EQ(refusal({{0, 0, {}, {300, 0, 0}}, {1, 0, {}}}),
+            "line: station 1: curvature, cant or gradient is above 0.2 1/m, 0.2 rad or 0.2");
 }
 }  // namespace
