@@ -8,8 +8,15 @@ source_dir=$(cd -P "$(dirname "${BASH_SOURCE[0]}")/../.." > /dev/null && pwd)
 platforms_dir=${PLATFORMS_DIR:-${XDG_CACHE_HOME:-$HOME/.cache}/wheel_rail_contact/platforms}
 package_dir=/opt/wheel_rail_contact  # of the package, in the other system
 
-debian=http://deb.debian.org/debian
-ubuntu=http://archive.ubuntu.com/ubuntu
+# mirror_of LABEL: the first mirror of a distribution in the configuration of apt, if any.
+mirror_of()
+{
+  # shellcheck disable=SC2016
+  apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' "Label: $1" | sed -n '1s|/$||p'
+}
+
+debian=${DEBIAN_MIRROR:-$(mirror_of Debian)}
+ubuntu=${UBUNTU_MIRROR:-$(mirror_of Ubuntu)}
 ubuntu_keyring=/usr/share/keyrings/ubuntu-archive-keyring.gpg
 # Ubuntu Archive Automatic Signing Keys of 2012 and 2018, as published by Ubuntu.
 ubuntu_keys=(790BC7277767219C42C86F933B4FE6ACC0B21F32 F6ECB3762474EDA9D21B7022871920D1991BC93C)
@@ -43,6 +50,7 @@ choose_release()
       ;;
     *) die "unknown release '$1'; known: bullseye bookworm trixie focal jammy" ;;
   esac
+  [[ -n $mirror ]] || die "apt has no mirror of this distribution; give it by DEBIAN_MIRROR or UBUNTU_MIRROR"
 }
 
 # Debian does not always have the package of Ubuntu's keys. Ubuntu's own package is accepted if it contains exactly these keys.
