@@ -294,32 +294,37 @@ void bindCells(py::module& module)
   py::class_<core::TableRow>(module, "TableRow")
       .def_readonly("line", &core::TableRow::line)
       .def_readonly("cells", &core::TableRow::cells);
-  py::class_<core::TableTitle>(module, "TableTitle")
-      .def_readonly("name", &core::TableTitle::name)
-      .def_readonly("unit", &core::TableTitle::unit);
-  py::class_<core::NamedUnit>(module, "NamedUnit")
-      .def_readonly("name", &core::NamedUnit::name)
-      .def_readonly("value", &core::NamedUnit::value)
-      .def_readonly("kind", &core::NamedUnit::kind);
-  module.def("title_of", [](const std::string& title) { return core::titleOf(title, false); });
+  const auto pair_of = [](const core::TableTitle& title) { return std::make_pair(title.name, title.unit); };
+  module.def("title_of", [=](const std::string& title) { return pair_of(core::titleOf(title, false)); });
   module.def("unit_named",
              [](const std::string& text)
              {
                const core::NamedUnit* unit = core::unitNamed(text);
-               return unit != nullptr ? std::optional(*unit) : std::nullopt;
+               return unit != nullptr ? unit->name : "";
              });
-  module.attr("table_units") = py::cast(core::table_units);
+  py::dict kinds;
+  for (const core::UnitKind& kind : core::unit_kinds)
+  {
+    for (const core::NamedUnit& unit : kind.units)
+    {
+      kinds.attr("setdefault")(kind.name, py::dict())[unit.name] = unit.value;
+    }
+  }
+  module.attr("table_units") = kinds;
   py::class_<CellFile>(module, "CellTable")
       .def(py::init<const std::string&>())
       .def_property_readonly("path", [](const CellFile& cells) { return cells.file.path(); })
       .def_property_readonly("head", [](const CellFile& cells) { return cells.table.head(); })
       .def_property_readonly("comments", [](const CellFile& cells) { return cells.table.comments(); })
       .def_property_readonly("titles",
-                             [](const CellFile& cells)
+                             [=](const CellFile& cells)
                              {
                                const auto& head = cells.table.head();
-                               const auto found = core::readTitles(cells.file, head, head.size() - 1, false);
-                               return std::make_pair(found.titles, found.row);
+                               const auto found = core::titlesWithUnits(cells.file, head, head.size() - 1, false);
+                               std::vector<std::pair<std::string, std::string>> titles;
+                               std::transform(found.titles.begin(), found.titles.end(), std::back_inserter(titles),
+                                              pair_of);
+                               return std::make_pair(titles, found.row);
                              })
       .def("rewind", [](CellFile& cells) { cells.table.rewind(); })
       .def("__iter__", [](const py::object& cells) { return cells; })

@@ -116,26 +116,8 @@ struct LineReport
   std::vector<std::string> doubts;  ///< questions: contradicting columns, constant stretches, unlikely units
 };
 
-/// Reads a line from a table, by the rules for cells, titles and missing values of the command contact_states. Units:
-/// m, cm, mm, um, in, ft, km, mi; rad, mrad, deg; 1/m, 1/km; -, m/m, mm/m, %, permil. A row with a missing irregularity
-/// is dropped.
-///
-/// * `x`: along the line; required. Or a column `km` and one with the rest, `m`, without units. If it decreases, the
-///   rows are reversed.
-/// * After EN 13848-1:2019: `gauge` (distance of the gauge faces, at TrackConfig::gauge_depth; in all rows the whole
-///   gauge, or in all rows the deviation from the nominal one); `alignment_left`,
-///   `alignment_right` (lateral position of each gauge face), or `alignment` of the track centre; `level_left`,
-///   `level_right` (height of each rail top), or `level` of the track centre; `cross_level` (left rail higher:
-///   positive, in both kinds of axes). A quantity that is not given is that of the ideal track, or follows from the
-///   others. Where gauge and both alignments are given, the alignment of the track centre is their mean, and the gauge
-///   is that of the column; the same for cross level and both levels.
-/// * Or the displacement of each rail at the reference point of its head, as in RailDeflection: `rail_lateral_left`
-///   (outward), `rail_vertical_left`, `rail_roll_left`, and the same with `right`. They must not be mixed with the
-///   columns of EN 13848-1.
-/// * The design: `curvature`, `cant` (as the height of the left rail over the right one, over 1.5 m at a gauge of
-///   1.435 m) and `gradient`, signs as in TrackDesign; in railway axes a curve to the right is positive. Empty cells
-///   are interpolated, and stations of a design alone have no longest gap.
-/// * Other columns are ignored, unless their names resemble one of these.
+/// Reads a line from a table, by the rules for cells, titles and missing values of the command contact_states.
+/// doc/line.md describes its columns, their units and signs, and what follows from them.
 ///
 /// @param gauge  nominal gauge, TrackConfig::gauge [m]
 /// @param report  receives what was understood

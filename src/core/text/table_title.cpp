@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <iterator>
 #include <map>
+#include <regex>
 
 #include "core/constants.h"
 #include "core/text/formatted.h"
@@ -19,31 +19,19 @@ constexpr const char* signs = "/_ \t";                ///< before a unit
 constexpr std::size_t longest_unit = 20;              ///< of a title, with blanks [bytes]
 constexpr double pound_force = 0.45359237 * 9.80665;  ///< of 1959, at standard gravity [N]
 
-/// Text with `to` in place of each of some signs.
-void replaceAll(std::string& text, const std::initializer_list<const char*>& from, const char* to)
+/// Spelling of a unit without what does not matter; empty if the text is longer than a unit.
+std::string plainUnit(const std::string& text)
 {
-  for (const std::string sign : from)
-  {
-    for (std::size_t at = text.find(sign); at != std::string::npos; at = text.find(sign, at))
-    {
-      text.replace(at, sign.size(), to);
-    }
-  }
-}
-
-/// Spelling of a unit without what does not matter.
-std::string plainUnit(std::string text)
-{
-  replaceAll(text, {"\xC2\xB5", "\xCE\xBC"}, "u");
-  replaceAll(text, {"\xC2\xBA"}, "\xC2\xB0");
-  replaceAll(text, {".", "*", "-", "\xC2\xB7", "\xE2\x8B\x85"}, " ");
-  return joined(splitWords(lowerCase(text)), " ");
+  static const std::regex micro("\xC2\xB5|\xCE\xBC"), degrees("\xC2\xBA"), times("[.*-]|\xC2\xB7|\xE2\x8B\x85");
+  std::string plain = std::regex_replace(text.size() > longest_unit ? "" : text, micro, "u");
+  plain = std::regex_replace(std::regex_replace(plain, degrees, "\xC2\xB0"), times, " ");
+  return joined(splitWords(lowerCase(plain)), " ");
 }
 
 bool isUnit(const std::string& text, bool is_shape)
 {
-  const NamedUnit* unit = unitNamed(text);
-  return unit != nullptr && (!is_shape || unitNamed(text, "length") != nullptr || unitNamed(text, "angle") != nullptr);
+  return is_shape ? unitNamed(text, "length") != nullptr || unitNamed(text, "angle") != nullptr
+                  : unitNamed(text) != nullptr;
 }
 
 /// Title with the longest unit after a sign at its end; no unit if none is there.
@@ -65,40 +53,24 @@ TableTitle withUnitAtEnd(const std::string& text, bool is_shape)
 }
 }  // namespace
 
-const std::vector<NamedUnit> table_units{{"m", 1},
-                                         {"mm", 1e-3},
-                                         {"um", 1e-6},
-                                         {"cm", 1e-2},
-                                         {"km", 1e3},
-                                         {"in", 0.0254},
-                                         {"ft", 0.3048},
-                                         {"mi", 1609.344},
-                                         {"rad", 1, "angle"},
-                                         {"mrad", 1e-3, "angle"},
-                                         {"deg", degree, "angle"},
-                                         {"1/m", 1, "curvature"},
-                                         {"1/km", 1e-3, "curvature"},
-                                         {"m/m", 1, "slope"},
-                                         {"permil", 1e-3, "slope"},
-                                         {"mm/m", 1e-3, "slope"},
-                                         {"%", 0.01, "slope"},
-                                         {"s", 1, "time"},
-                                         {"ms", 1e-3, "time"},
-                                         {"us", 1e-6, "time"},
-                                         {"min", 60, "time"},
-                                         {"N", 1, "force"},
-                                         {"kN", 1e3, "force"},
-                                         {"lbf", pound_force, "force"},
-                                         {"kip", 1e3 * pound_force, "force"},
-                                         {"N m", 1, "torque"},
-                                         {"kN m", 1e3, "torque"},
-                                         {"lbf ft", 0.3048 * pound_force, "torque"},
-                                         {"m/s", 1, "velocity"},
-                                         {"mm/s", 1e-3, "velocity"},
-                                         {"km/h", 1 / 3.6, "velocity"},
-                                         {"rad/s", 1, "rate"},
-                                         {"mrad/s", 1e-3, "rate"},
-                                         {"deg/s", degree, "rate"}};
+const std::vector<UnitKind> unit_kinds{
+    {"time", {{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"min", 60}}},
+    {"length",
+     {{"m", 1},
+      {"mm", 1e-3},
+      {"um", 1e-6},
+      {"cm", 1e-2},
+      {"km", 1e3},
+      {"in", 0.0254},
+      {"ft", 0.3048},
+      {"mi", 1609.344}}},
+    {"angle", {{"rad", 1}, {"mrad", 1e-3}, {"deg", degree}}},
+    {"curvature", {{"1/m", 1}, {"1/km", 1e-3}}},
+    {"slope", {{"m/m", 1}, {"permil", 1e-3}, {"mm/m", 1e-3}, {"%", 0.01}}},
+    {"force", {{"N", 1}, {"kN", 1e3}, {"lbf", pound_force}, {"kip", 1e3 * pound_force}}},
+    {"torque", {{"N m", 1}, {"kN m", 1e3}, {"lbf ft", 0.3048 * pound_force}}},
+    {"velocity", {{"m/s", 1}, {"mm/s", 1e-3}, {"km/h", 1 / 3.6}}},
+    {"rate", {{"rad/s", 1}, {"mrad/s", 1e-3}, {"deg/s", degree}}}};
 
 const NamedUnit* unitNamed(const std::string& text, const char* kind)
 {
@@ -108,23 +80,22 @@ const NamedUnit* unitNamed(const std::string& text, const char* kind)
       {"nm", "n m"},       {"knm", "kn m"},   {"ft lbf", "lbf ft"}, {"\xE2\x80\xB0", "permil"}};
   const std::string plain = plainUnit(text);
   const auto other = others.find(plain);
-  const auto found = std::find_if(table_units.begin(), table_units.end(),
-                                  [&](const NamedUnit& unit)
-                                  { return lowerCase(unit.name) == (other == others.end() ? plain : other->second); });
-  return found != table_units.end() && (kind == nullptr || std::string(kind) == found->kind) ? &*found : nullptr;
-}
-
-std::vector<std::string> unitNames(const char* kind)
-{
-  std::vector<std::string> names;
-  for (const NamedUnit& unit : table_units)
+  const std::string& name = other == others.end() ? plain : other->second;
+  for (const UnitKind& units : unit_kinds)
   {
-    if (std::string(kind) == unit.kind)
+    const auto unit = std::find_if(units.units.begin(), units.units.end(),
+                                   [&name](const NamedUnit& named) { return lowerCase(named.name) == name; });
+    if (unit != units.units.end())
     {
-      names.emplace_back(unit.name);
+      return kind == nullptr || std::string(kind) == units.name ? &*unit : nullptr;
     }
   }
-  return names;
+  return nullptr;
+}
+
+const UnitKind& unitKind(const std::string& name)
+{
+  return *std::find_if(unit_kinds.begin(), unit_kinds.end(), [&](const UnitKind& kind) { return name == kind.name; });
 }
 
 std::string nameOfLength(double unit)

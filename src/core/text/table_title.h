@@ -11,17 +11,21 @@ struct NamedUnit
 {
   const char* name;
   double value;  ///< in SI units
-  const char* kind = "length";
 };
 constexpr NamedUnit named_lengths[] = {{"m", 1}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}, {"in", 0.0254}};
 
-/// All units of tables, those of a kind together: the SI unit, a usual one, others.
-extern const std::vector<NamedUnit> table_units;
+/// Units of tables of one kind: the SI unit, a usual one, others.
+struct UnitKind
+{
+  const char* name;
+  std::vector<NamedUnit> units;
+};
+extern const std::vector<UnitKind> unit_kinds;
+/// @param name of one of the kinds
+const UnitKind& unitKind(const std::string& name);
 /// Unit with this spelling; null if there is none, or if it is of another kind. Case, blanks and the signs of a
 /// multiplication do not matter: mm, MM, N m, Nm, kN.m, deg, degrees, °.
 const NamedUnit* unitNamed(const std::string& text, const char* kind = nullptr);
-/// Units of a kind.
-std::vector<std::string> unitNames(const char* kind);
 /// Usual name of a unit of length [m]; its value if it has none.
 std::string nameOfLength(double unit);
 /// Text of a length [m], in millimetres.

@@ -159,7 +159,7 @@ void CellTable::rewind()
   }
 }
 
-TableTitles readTitles(const TextFile& file, const std::vector<TableRow>& rows, std::size_t last, bool is_shape)
+TableTitles titlesWithUnits(const TextFile& file, const std::vector<TableRow>& rows, std::size_t last, bool is_shape)
 {
   const std::vector<std::string>& cells = rows[last].cells;
   std::size_t filled_cells = 0, known = 0, alike = 0;
@@ -195,7 +195,7 @@ TextTable::TextTable(TextFile& file, const TitleRule& are_titles) : file_(file),
   const std::vector<TableRow>& head = cells_.head();
   if (!cells_.isHeadInComments())
   {
-    const TableTitles below = readTitles(file_, head, head.size() > 1 ? 1 : 0, true);
+    const TableTitles below = titlesWithUnits(file_, head, head.size() > 1 ? 1 : 0, true);
     titles_ = below.has_units ? below.titles : titlesIn(head.front().cells, true);
     title_line_ = head.front().line;
     const std::size_t known = below.has_units ? 2 : 1;

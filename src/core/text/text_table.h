@@ -76,7 +76,7 @@ struct TableTitles
 };
 /// Titles in a row, or in the one before it if it contains units: at least half of its cells do, of which one is known.
 /// @throw FileError if a unit contradicts that of a title.
-TableTitles readTitles(const TextFile& file, const std::vector<TableRow>& rows, std::size_t last, bool is_shape);
+TableTitles titlesWithUnits(const TextFile& file, const std::vector<TableRow>& rows, std::size_t last, bool is_shape);
 
 /// Table of numbers. *Titles* are the first line of the head, the second one may contain their units; or they are a
 /// comment above the first row. A number may have a decimal comma where commas do not separate the columns.

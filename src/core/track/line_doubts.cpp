@@ -17,25 +17,19 @@ using LineRows = std::vector<LineRow>;
 /// columns.
 std::string contradiction(const LineRows& rows, std::size_t difference, std::size_t left, std::size_t right)
 {
-  constexpr double tolerance = 0.2e-3;  // rounding to 0.1 mm [m]
-  const LineRow* worst = nullptr;
-  double largest = tolerance;
-  for (const LineRow& row : rows)
-  {
-    const auto& value = row.value;
-    const double off = value[difference] && value[left] && value[right]
-                           ? std::abs(*value[left] - *value[right] - *value[difference])
-                           : 0;
-    worst = off > largest ? &row : worst;
-    largest = std::max(largest, off);
-  }
-  return worst == nullptr ? ""
-                          : formatted(
-                                "'%s' and both '%s' disagree by up to %.4g mm: at x = %.10g m it deviates by %.4g mm "
-                                "from the ideal track, they by %.4g mm; '%s' is kept, with the mean of both",
-                                line_columns[difference].name, difference == gauge ? "alignment" : "level",
-                                1e3 * largest, *worst->value[x], 1e3 * *worst->value[difference],
-                                1e3 * (*worst->value[left] - *worst->value[right]), line_columns[difference].name);
+  constexpr double rounding = 0.2e-3;  // to 0.1 mm, of all three [m]
+  const auto both = [=](const LineRow& row) { return row.value[left].value_or(0) - row.value[right].value_or(0); };
+  const auto off = [&](const LineRow& row) { return std::abs(both(row) - row.value[difference].value_or(0)); };
+  const LineRow& worst =
+      *std::max_element(rows.begin(), rows.end(), [&](const LineRow& a, const LineRow& b) { return off(a) < off(b); });
+  const bool are_given = worst.value[difference] && worst.value[left] && worst.value[right];
+  return !are_given || off(worst) < rounding
+             ? ""
+             : formatted(
+                   "'%s' and both '%s' disagree by up to %.4g mm: at x = %.10g m it deviates by %.4g mm from the "
+                   "ideal track, they by %.4g mm; '%s' is kept, with the mean of both",
+                   line_columns[difference].name, difference == gauge ? "alignment" : "level", 1e3 * off(worst),
+                   *worst.value[x], 1e3 * *worst.value[difference], 1e3 * both(worst), line_columns[difference].name);
 }
 
 /// Question on a value that stays where the others move: a lost signal, or a filler.
@@ -52,19 +46,16 @@ std::string frozen(const LineRows& rows, std::size_t column)
   };
   for (std::size_t begin = 0, i = 1; i <= rows.size(); ++i)
   {
-    if (i < rows.size() && value(i) == value(begin))
+    if (i == rows.size() || value(i) != value(begin))
     {
-      continue;
+      ++changes;
+      const bool is_lead = value(begin) == 0 && (begin == 0 || i == rows.size());  // an ideal track before and after
+      const bool is_long = i - begin >= (jumps(begin) || jumps(i) ? shortest : longest);
+      const bool is_run = is_long && !is_lead && i - begin > end - first;
+      first = is_run ? begin : first;
+      end = is_run ? i : end;
+      begin = i;
     }
-    ++changes;
-    const bool is_lead = value(begin) == 0 && (begin == 0 || i == rows.size());  // an ideal track before and after
-    const bool is_long = i - begin >= (jumps(begin) || jumps(i) ? shortest : longest);
-    if (is_long && !is_lead && i - begin > end - first)
-    {
-      first = begin;
-      end = i;
-    }
-    begin = i;
   }
   // A value that is kept in most rows is that of a design, or of a coarse rounding.
   return end == first || 2 * changes < rows.size() - (end - first)
@@ -82,7 +73,8 @@ std::string tiny(const LineRows& rows, std::size_t column, double unit)
   {
     largest = std::max(largest, std::abs(row.value[column].value_or(0)));
   }
-  return largest > 0 && largest < least && largest < least_number * unit
+  // A gauge may be the nominal one.
+  return column != gauge && largest > 0 && largest < least && largest < least_number * unit
              ? formatted("column '%s' is at most %.3g in its unit: another one?", line_columns[column].name,
                          largest / unit)
              : "";
@@ -94,10 +86,10 @@ std::string sparse(const LineRows& rows)
   constexpr std::size_t fewest = 10;                 // rows of a measurement
   constexpr double shortest = 1e-3, longest = 10.0;  // [m]
   const auto& first = rows.front().value;
-  const bool is_design = std::none_of(first.begin() + alignment, first.begin() + cross_level,
-                                      [](const auto& value) { return value.has_value(); });
+  const bool is_measured = std::any_of(first.begin() + alignment, first.begin() + cross_level,
+                                       [](const auto& value) { return value.has_value(); });
   const double mean = (*rows.back().value[x] - *first[x]) / static_cast<double>(rows.size());
-  return rows.size() < fewest || is_design || (mean > shortest && mean < longest)
+  return rows.size() < fewest || !is_measured || (mean > shortest && mean < longest)
              ? ""
              : formatted("the stations are %.4g m apart: is x in another unit?", mean);
 }
@@ -105,16 +97,12 @@ std::string sparse(const LineRows& rows)
 
 std::vector<std::string> lineDoubts(const LineRows& rows, const std::array<double, columns>& units)
 {
-  std::vector<std::string> doubts;
-  if (!rows.empty())
+  std::vector<std::string> doubts{sparse(rows), contradiction(rows, gauge, alignment_left, alignment_right),
+                                  contradiction(rows, cross_level, level_left, level_right)};
+  for (std::size_t column = gauge; column < curvature; ++column)  // the design stays by intention
   {
-    doubts = {sparse(rows), contradiction(rows, gauge, alignment_left, alignment_right),
-              contradiction(rows, cross_level, level_left, level_right)};
-    for (std::size_t column = gauge; column < curvature; ++column)  // the design stays by intention
-    {
-      doubts.push_back(frozen(rows, column));
-      doubts.push_back(column == gauge ? "" : tiny(rows, column, units[column]));  // a gauge may be nominal
-    }
+    doubts.push_back(frozen(rows, column));
+    doubts.push_back(tiny(rows, column, units[column]));
   }
   doubts.erase(std::remove(doubts.begin(), doubts.end(), ""), doubts.end());
   return doubts;

@@ -45,7 +45,7 @@ class LineFile
   {
     const std::vector<TableRow>& head = table_.head();
     file_.refuseIf(head.empty(), 0, "has no titles of columns with their units, for example 'x [m], gauge [mm]'");
-    const TableTitles found = readTitles(file_, head, head.size() - 1, false);
+    const TableTitles found = titlesWithUnits(file_, head, head.size() - 1, false);
     title_line_ = head[found.row].line;
     addColumns(found.titles);
     checkColumns();
@@ -91,15 +91,7 @@ class LineFile
   }
 
   /// Units of the columns [m], [rad].
-  std::array<double, columns> units() const
-  {
-    std::array<double, columns> units{};
-    for (const Used& used : used_)
-    {
-      units[used.quantity] = std::abs(used.factor);
-    }
-    return units;
-  }
+  const std::array<double, columns>& units() const { return units_; }
 
   /// What is not used, as parts of a sentence.
   std::string remarks() const
@@ -155,11 +147,15 @@ class LineFile
     }
     const auto column = static_cast<std::size_t>(rule - line_columns.begin());
     refuseTitlesIf(has(column), "column '" + title.name + "' is given twice");
+    const std::vector<NamedUnit>& units = unitKind(rule->kind).units;
+    std::vector<std::string> names;
+    std::transform(units.begin(), units.end(), std::back_inserter(names), [](const NamedUnit& u) { return u.name; });
     refuseTitlesIf(title.unit.empty(), "column '" + title.name + "': must have a unit, for example '" + title.name +
-                                           " [" + unitNames(rule->kind)[1] + "]'");
+                                           " [" + names[1] + "]'");
     const NamedUnit* unit = unitNamed(title.unit, rule->kind);
     refuseTitlesIf(unit == nullptr, "column '" + title.name + "': unknown unit '" + title.unit + "'; valid units are " +
-                                        joined(unitNames(rule->kind), ", "));
+                                        joined(names, ", "));
+    units_[column] = unit->value;
     used_.push_back({index, column, unit->value * (axes_ == LineAxes::railway ? rule->railway_sign : 1)});
     has_place_ = has_place_ || column == x;
   }
@@ -203,6 +199,7 @@ class LineFile
   std::size_t title_line_ = 0;
   bool has_place_ = false;  ///< a column is the whole place
   std::vector<Used> used_;
+  std::array<double, columns> units_{};
   std::vector<std::string> ignored_;
   std::size_t dropped_ = 0, first_dropped_ = 0;
 };

@@ -94,12 +94,13 @@ void checkValues(const std::vector<LineRow>& rows, double nominal_gauge, const T
       const bool is_steep = column != curvature && std::abs(change) > steepest * distance + step_share * nominal_gauge;
       if (is_large || is_filler || is_steep)
       {
-        file.refuse(row.line, formatted("column '%s': %s %.4g %s%s: another unit%s, or a filler for a missing value, "
-                                        "which must be an empty cell",
-                                        line_columns[column].name, is_large ? "a value of" : "a change by",
-                                        is_large ? value : change, unitNames(line_columns[column].kind)[0].c_str(),
-                                        is_large ? "" : formatted(" within %.4g m", distance).c_str(),
-                                        column == curvature ? ", the radius" : ""));
+        file.refuse(row.line,
+                    formatted("column '%s': %s %.4g %s%s: another unit%s, or a filler for a missing value, "
+                              "which must be an empty cell",
+                              line_columns[column].name, is_large ? "a value of" : "a change by",
+                              is_large ? value : change, unitKind(line_columns[column].kind).units.front().name,
+                              is_large ? "" : formatted(" within %.4g m", distance).c_str(),
+                              column == curvature ? ", the radius" : ""));
       }
     }
     const double whole = row.value[cross_level].value_or(0), of_design = row.value[cant].value_or(0);

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from ..command import Failure
 from .titles import Title, split_title
-from .units import names_of, same_unit, unit_of
+from .units import same_unit, unit_of, units_of
 
 # Name in the table -> (field of a State, kind of unit, sign in railway axes: x forward, y right, z down).
 COLUMNS = {
@@ -73,10 +73,11 @@ def _column(quantity, title):
     """@throw Failure if the title has no unit of this quantity"""
     kind = QUANTITIES[quantity]
     unit = unit_of(title.unit)
-    if not unit or unit.kind != kind:
-        raise Failure(f"column '{title.shown}': {title.unit} is not a unit of {quantity}; valid units are {names_of(kind)}. "
+    units = units_of(kind)
+    if unit not in units:
+        raise Failure(f"column '{title.shown}': {title.unit} is not a unit of {quantity}; valid units are {', '.join(units)}. "
                       f"--column {quantity}= ignores the column")
-    return Column(quantity, title, unit.name, unit.value)
+    return Column(quantity, title, unit, units[unit])
 
 
 def _is_other_quantity(quantity, title):
@@ -84,7 +85,7 @@ def _is_other_quantity(quantity, title):
     letter = _key(title.name).split("_")[0]
     unit = unit_of(title.unit)
     return bool(title.unit) and len(letter) == 1 and title.name != quantity \
-        and (not unit or unit.kind != QUANTITIES[quantity])
+        and unit not in units_of(QUANTITIES[quantity])
 
 
 def _named_title(titles, quantity, text):

@@ -13,7 +13,7 @@ from .columns import COLUMNS, QUANTITIES, WHEEL_LOADS
 from .running_circles import LONGEST, SHORTEST, RunningCircles
 from .state import read_bag, write_bag
 from .table import AXES, Reading, read_table, write_table
-from .units import units
+from .units import units_of
 
 PERIOD = 10  # between lines of progress without a terminal [s]
 DESCRIPTION = """Converts a table of wheelset states, as exported by a vehicle simulation, to a bag, or a bag to a table."""
@@ -27,7 +27,7 @@ Units may also be written as y (mm), y / mm, y_mm, or in the second line. Case d
 {textwrap.fill(f"Required columns: time and y. Optional columns: {', '.join(name for name in COLUMNS if name != 'y')}.", 110)}
 {' and '.join(WHEEL_LOADS)} may replace force_z and torque_x. Other columns are ignored, and listed.
 --column y='Wset.Y [mm]' names another title in the file. If the file has no units, this option also gives the unit.
-{textwrap.fill(f"Units: {'; '.join(', '.join(names) for names in units().values())}.", 110)}
+{textwrap.fill(f"Units: {'; '.join(', '.join(names) for names in map(units_of, dict.fromkeys(QUANTITIES.values())))}.", 110)}
 Lines that begin with #, %, ! or // are ignored. force_z and torque_x are the force and moment of the vehicle on the axle
 centre, Q_left and Q_right the wheel loads (down), Y_left and Y_right the lateral forces on the rails (outward). rail_lateral
 (outward), rail_vertical and rail_roll (outward) are displacements of the rails. distance is the place along the line.

@@ -11,7 +11,7 @@ from .columns import COLUMNS, check_columns, columns_of
 from .rows import Rows, reversed_value
 from .running_circles import RunningCircles
 from .titles import titles_of
-from .units import units
+from .units import units_of
 
 AXES = ("rep103", "railway")
 AXES_COMMENT = re.compile(r"\s*axes:\s*(.*?)\s*")
@@ -85,7 +85,7 @@ def _states_of(table, reading, progress):
 
 def write_table(path, states, axes):
     """Writes states in SI units. A column is omitted if no state has a value for it."""
-    si_unit = {kind: next(iter(names)) for kind, names in units().items()}
+    si_unit = {kind: next(iter(units_of(kind))) for _, kind, _ in COLUMNS.values()}
     columns = {name: column for name, column in COLUMNS.items()
                if any(getattr(state, column[0]) is not None for state in states)}
     with open(path, "x", encoding="utf-8", newline="") as file:

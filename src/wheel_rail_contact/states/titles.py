@@ -22,8 +22,8 @@ class Title:
 
 def split_title(text):
     """Name and unit of a title; the unit is None if the title has none."""
-    title = native().title_of(text)
-    return title.name, title.unit or None
+    name, unit = native().title_of(text)
+    return name, unit or None
 
 
 def titles_of(table):
@@ -36,5 +36,4 @@ def titles_of(table):
         raise Failure(f"{table.path}: has no titles; its first line must contain names and units, for example 'y [mm]'")
     titles, row = table.titles
     texts = head[row].cells
-    return [Title(index, text, title.name, title.unit or None) for index, (text, title) in enumerate(zip(texts, titles))], \
-        head[:row]
+    return [Title(index, text, name, unit or None) for index, (text, (name, unit)) in enumerate(zip(texts, titles))], head[:row]

@@ -3,25 +3,16 @@
 from ..command import native
 
 
-def units():
-    """Kind -> unit -> value in SI units; the SI unit is the first one."""
-    kinds = {}
-    for unit in native().table_units:
-        kinds.setdefault(unit.kind, {})[unit.name] = unit.value
-    return kinds
+def units_of(kind):
+    """Units of a kind, with their values in SI units; the SI unit is the first one."""
+    return native().table_units[kind]
 
 
 def unit_of(text):
-    """Unit with this spelling: its name, value and kind; None if there is none."""
-    return native().unit_named(text) if text else None
+    """Usual name of the unit with this spelling; empty if there is none."""
+    return native().unit_named(text or "")
 
 
 def same_unit(one, other):
     """True if two texts are the same unit, which the module need not know."""
-    names = [unit.name if unit else text for text, unit in ((one, unit_of(one)), (other, unit_of(other)))]
-    return names[0] == names[1]
-
-
-def names_of(kind):
-    """Units of a kind, for a message."""
-    return ", ".join(units()[kind])
+    return (unit_of(one) or one) == (unit_of(other) or other)
