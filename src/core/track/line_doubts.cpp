@@ -37,21 +37,27 @@ std::string frozen(const LineRows& rows, std::size_t column)
 {
   constexpr std::size_t longest = 25, shortest = 5;        // rows: always; where it jumps at an end
   constexpr double least_jump = 5e-3, least_slope = 0.01;  // [m], [rad]; over the distance
+  constexpr double abrupt = 2;                             // over the mean change
   std::size_t first = 0, end = 0, changes = 0;             // of the longest run
   const auto value = [&](std::size_t i) { return rows[i].value[column].value_or(0); };
+  const auto jump = [&](std::size_t i) { return i == 0 || i == rows.size() ? 0 : std::abs(value(i) - value(i - 1)); };
   const auto jumps = [&](std::size_t i)
+  { return jump(i) > least_jump && jump(i) > least_slope * (*rows[i].value[x] - *rows[i - 1].value[x]); };
+  double travel = 0;  // sum of all changes [m], [rad]
+  for (std::size_t i = 1; i < rows.size(); ++i)
   {
-    const double jump = i == 0 || i == rows.size() ? 0 : std::abs(value(i) - value(i - 1));
-    return jump > least_jump && jump > least_slope * (*rows[i].value[x] - *rows[i - 1].value[x]);
-  };
+    travel += jump(i);
+    changes += jump(i) > 0 ? 1U : 0U;
+  }
   for (std::size_t begin = 0, i = 1; i <= rows.size(); ++i)
   {
     if (i == rows.size() || value(i) != value(begin))
     {
-      ++changes;
       const bool is_lead = value(begin) == 0 && (begin == 0 || i == rows.size());  // an ideal track before and after
       const bool is_long = i - begin >= (jumps(begin) || jumps(i) ? shortest : longest);
-      const bool is_run = is_long && !is_lead && i - begin > end - first;
+      // A ramp of a design ends in its plateau without a jump.
+      const bool is_abrupt = std::max(jump(begin), jump(i)) * static_cast<double>(changes) > abrupt * travel;
+      const bool is_run = is_long && is_abrupt && !is_lead && i - begin > end - first;
       first = is_run ? begin : first;
       end = is_run ? i : end;
       begin = i;

@@ -249,6 +249,8 @@ TEST_F(LineFileTest, DoubtfulColumnsAreNamed)
 {
   using Doubts = std::vector<std::string>;
   EXPECT_EQ(doubts([](int, auto& row) { row[1] += 0.15; }), Doubts{});
+  EXPECT_EQ(doubts([](int i, auto& row) { row[1] = 1435, row[2] = row[3] = std::min(0.1 * i, 15.0); }),
+            Doubts{});  // ramp
   EXPECT_EQ(
       doubts([](int, auto& row) { row[1] = 1435; }),
       Doubts{"'gauge' and both 'alignment' disagree by up to 6 mm: at x = 1.75 m it deviates by 0 mm from the ideal "
