@@ -14,7 +14,7 @@ constexpr double contact_reach = 5e-3;
 constexpr double farthest = 0.03;       ///< of the places at which a rail may touch the wheel [m]
 constexpr double scan_step = 2e-3;      ///< of these places [m]
 constexpr double smooth_within = 3e-6;  ///< difference of the lift of the wheel from that by the second order [m]
-constexpr double rim_accuracy = 1e-6;   ///< of the place at which an edge of a rim touches the rail [m]
+constexpr double edge_accuracy = 1e-6;  ///< of the place at which an edge of a rail or a rim is touched [m]
 constexpr double same_place = 3e-4;  ///< of a contact, by the slope of a rim over contact_reach and over half of it [m]
 constexpr double least_round = 0.2;  ///< curvature of a rim over that of the circle; below, it ends as a flat does [-]
 
@@ -35,19 +35,27 @@ class Highest
       lift_ = lift;
     }
   }
+  /// Adds the heights height(x) beside the highest place, at halved distances.
+  template <typename Height>
+  void refine(const Height& height)
+  {
+    for (double step = scan_step; step > edge_accuracy; step *= 0.5)
+    {
+      const double middle = x_;
+      add(middle - step, height(middle - step));
+      add(middle + step, height(middle + step));
+    }
+  }
   double x() const { return x_; }
   double lift() const { return lift_; }
   bool isRough() const { return std::abs(smooth_lift_ - lift_) > smooth_within; }
-  /// Replaces the second order by a line that lifts the wheel at this place, where both differ.
-  void placeWhereRough(RailCourse& course) const
+  /// Replaces the second order by a line that lifts the wheel at this place.
+  void place(RailCourse& course) const
   {
-    if (isRough())
-    {
-      course.smooth = false;
-      course.motion.slope.vertical = x_ / radius_;
-      course.motion.bend.vertical = 0;
-      course.rise = lift_ - 0.5 * x_ * x_ / radius_;
-    }
+    course.smooth = false;
+    course.motion.slope.vertical = x_ / radius_;
+    course.motion.bend.vertical = 0;
+    course.rise = lift_ - 0.5 * x_ * x_ / radius_;
   }
 
  private:
@@ -174,7 +182,12 @@ Sides<RailCourse> coursesAt(const TrackLine& line, double distance, const Sides<
   }
   for (const Side side : sides)
   {
-    highest[side].placeWhereRough(courses[side]);
+    if (highest[side].isRough())
+    {
+      highest[side].refine([&](double way)
+                           { return displaced(distance + way)[side].vertical - at_place[side].vertical; });
+      highest[side].place(courses[side]);
+    }
   }
   return courses;
 }
@@ -187,20 +200,15 @@ WheelRim rimAt(const OutOfRound& shape, double radius, double pitch)
   const double bend = 2 * (beside - here) / (contact_reach * contact_reach);
   WheelRim rim{here, {slope(contact_reach), bend}, true};
   Highest highest(radius, rim.along);
-  const auto add = [&](double x) { highest.add(x, deviation(x) - here); };
+  const auto over_here = [&](double x) { return deviation(x) - here; };
   for (double x = -farthest; x < farthest + 0.5 * scan_step; x += scan_step)
   {
-    add(x);
+    highest.add(x, over_here(x));
   }
   if (highest.isRough() || 1 - radius * bend < least_round ||
       radius * std::abs(rim.along.slope - slope(0.5 * contact_reach)) > same_place)
   {
-    for (double step = scan_step; step > rim_accuracy; step *= 0.5)
-    {
-      const double middle = highest.x();
-      add(middle - step);
-      add(middle + step);
-    }
+    highest.refine(over_here);
     const double height = here + highest.lift(), x = highest.x(), circle = radius + height - 0.5 * x * x / radius;
     rim = {height - 0.5 * x * x / circle, {x / circle, 0}, false};
   }

@@ -173,13 +173,13 @@ TEST(RailShapeTest, EdgesThatTheSecondOrderDoesNotShowCarryTheWheel)
 {
   constexpr double step = 0.1e-3, before = 6e-3, angle = 6e-3;
   const Pair up(levelled([](double x) { return x > 1e-3 ? step : 0; }), 2e-3 - before, stateAt(0, wheel_load));
-  EXPECT_NEAR(up.lift(), step - before * before / (2 * radius()), 3e-6);
-  EXPECT_NEAR(up.patch().pose.x, before, 1.1e-3);
+  EXPECT_NEAR(up.lift(), step - before * before / (2 * radius()), 1e-6);
+  EXPECT_NEAR(up.patch().pose.x, before, 0.2e-3);
   EXPECT_NE(up.line.reason.find("left rail has an edge"), std::string::npos) << up.line.reason;
   EXPECT_NEAR(up.line.rail.left.given.vertical, 0, 1e-12);
   const Pair dip(levelled([](double x) { return angle * std::abs(x); }), 0, stateAt(0, wheel_load));
-  EXPECT_NEAR(dip.lift(), 0.5 * angle * angle * radius(), 2e-6);
-  EXPECT_NEAR(std::abs(dip.patch().pose.x), angle * radius(), 1.1e-3);
+  EXPECT_NEAR(dip.lift(), 0.5 * angle * angle * radius(), 0.1e-6);
+  EXPECT_NEAR(std::abs(dip.patch().pose.x), angle * radius(), 0.05e-3);
   EXPECT_NE(dip.line.reason.find("edge"), std::string::npos) << dip.line.reason;
   // A smooth one has no warning.
   const Pair smooth(levelled([](double x) { return 0.3e-3 * std::sin(20 * x); }), 0.03, stateAt(0, wheel_load));
