@@ -57,12 +57,12 @@ std::string unpackedBz2(std::string data, std::size_t size, ExpandedSize& expand
 std::string unpackedLz4(std::string data, std::size_t size, ExpandedSize& expanded)
 {
   refuseDamagedIf(size > lz4_largest_ratio * data.size());
+  expanded.add(size);
   std::string content(size, '\0');
   auto length = static_cast<unsigned int>(size);
   refuseDamagedIf(roslz4_buffToBuffDecompress(data.data(), static_cast<unsigned int>(data.size()), content.data(),
                                               &length) != ROSLZ4_OK ||
                   length != size);
-  expanded.add(size);
   return content;
 }
 }  // namespace

@@ -71,7 +71,9 @@ int main(int argc, char** argv)
   ros::init(argc, argv, "lockstep_client");
   LockstepClient client;
   ros::Time time(1000);  // simulated; it need not follow a clock, but must not be 0
-  while (ros::ok() && !client.evaluate(time, 0, 0.1))
+  std::fprintf(stderr, "waiting for contact_node, for a minute\n");
+  int attempts = 600;
+  while (ros::ok() && --attempts > 0 && !client.evaluate(time, 0, 0.1))
   {
     time += ros::Duration(1);  // messages are lost until all connections exist: again
   }

@@ -160,6 +160,12 @@ void bindModel(py::module& module)
       .def("reset", &ContactModel::reset, Released())
       .def_property_readonly("parameters", [](const ContactModel& model) { return textsOf(model.parameters()); })
       .def_property_readonly("notes", [](const ContactModel& model) { return model.config().remarks(); })
+      .def_property_readonly("has_design",
+                             [](const ContactModel& model)
+                             {
+                               const core::TrackLine* line = model.config().model.track.line.get();
+                               return line != nullptr && line->hasDesign();
+                             })
       .def_property_readonly("warnings", [](const ContactModel& model) { return model.config().warnings; })
       .def_property_readonly("wheel_profiles",
                              [](const ContactModel& model) { return profilesOf(model.config().model.wheel_profile); })

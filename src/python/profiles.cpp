@@ -320,6 +320,7 @@ void bindCells(py::module& module)
                              [=](const CellFile& cells)
                              {
                                const auto& head = cells.table.head();
+                               cells.file.refuseIf(head.empty(), 0, "has no titles");
                                const auto found = core::titlesWithUnits(cells.file, head, head.size() - 1, false);
                                std::vector<std::pair<std::string, std::string>> titles;
                                std::transform(found.titles.begin(), found.titles.end(), std::back_inserter(titles),

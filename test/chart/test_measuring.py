@@ -132,8 +132,7 @@ class Scenes(unittest.TestCase):
 
     def test_point_forces_on_long_cells_are_refused(self):
         # Point forces on cells ten times as long as wide.
-        self.assertEqual({row.status for row in self.of("hertz_1_5", "seidel_printed").values()} - {"not_run"},
-                         {"refused"})
+        self.assertEqual({row.status for row in self.of("hertz_1_5", "seidel_printed").values()} - {"not_run"}, {"refused"})
 
     def test_large_seidel_grids_are_not_run(self):
         rows = self.of("hertz_1_1", "seidel")

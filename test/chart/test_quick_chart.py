@@ -40,8 +40,7 @@ class QuickChart(unittest.TestCase):
         cls.place = tempfile.TemporaryDirectory()
         cls.addClassCleanup(cls.place.cleanup)
         cls.out = Path(cls.place.name)
-        cls.ended = subprocess.run([command(), "--quick", "--out", cls.out], capture_output=True, text=True,
-                                   check=False)
+        cls.ended = subprocess.run([command(), "--quick", "--out", cls.out], capture_output=True, text=True, check=False)
         if cls.ended.returncode != 0:
             raise AssertionError(cls.ended.stderr)
         cls.facts, cls.rows = table.read(cls.out / "chart.csv")

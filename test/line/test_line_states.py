@@ -118,12 +118,13 @@ class LineStates(LineCase):
         self.assertFalse(along_line.travels(results))
 
     def test_invalid_options_and_tables_are_refused(self):
-        (self.folder / "other.csv").write_text("x [m],level [mm]\n0,1\n1,2\n2,1\n")
-        (self.folder / "empty.csv").write_text("")
+        for name, quantity in (("other", "level [mm]"), ("empty", ""), ("curve", "curvature [1/km]")):
+            (self.folder / f"{name}.csv").write_text(f"x [m],{quantity}\n0,1\n1,2\n2,1\n" if quantity else "")
         for line, options, reason in (("line.csv", ("--speed", 0), "--speed 0.0: must be above 0"),
                                       ("line.csv", ("--step", "nan"), "--step nan: must be above 0"),
                                       ("line.csv", ("--step", 500), "is longer than the line"),
                                       ("other.csv", (), "not a table of make_irregular_line"),
+                                      ("curve.csv", (), "has a column 'curvature [1/km]', but"),
                                       ("empty.csv", (), "not a table of make_irregular_line"),
                                       ("absent.csv", (), "No such file")):
             with self.subTest(line=line, options=options):

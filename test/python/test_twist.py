@@ -51,8 +51,7 @@ class Friction(unittest.TestCase):
 
     def test_misuse_is_refused_by_name(self):
         free, given = WheelsetContact(EXACT), WheelsetContact({"creep": {"method": "linear", "rotation": "topic"}})
-        for contact, arguments, error, text in (
-                (free, {}, TypeError, "twist is missing: it is required, because creep/method"),
+        for contact, arguments, error, text in ((free, {}, TypeError, "twist is missing: it is required, because creep/method"),
                 (free, {"twist": [SPEED]}, TypeError, "twist = .*: must be a dict of velocities"),
                 (free, {"twist": {"speed": None}}, TypeError, "twist: speed is missing"),
                 (free, {"twist": {"speed": SPEED, "spin": 0}}, TypeError, "twist: 'spin' is unknown; valid names are speed,"),

@@ -92,8 +92,7 @@ class File(unittest.TestCase):
         self.assertAlmostEqual(section.properties()["area"], 4e-4)
 
     def test_invalid_files_are_reported_with_reason(self):
-        for text, reason in (("-10,0\n10,0\n0,9\n", "must be y_mm,z_mm"),
-                                ("y_mm,z_mm\n1,a\n", "could not convert"),
+        for text, reason in (("-10,0\n10,0\n0,9\n", "must be y_mm,z_mm"), ("y_mm,z_mm\n1,a\n", "could not convert"),
                                 ("y_mm,z_mm\n0,0\n1,1\n", "at least three"),
                                 ("y_mm,z_mm\n0,0,1\n1,0,1\n", "two columns"),
                                 ("y_mm,z_mm\n0,0\n1,0\n0,nan\n", "finite")):

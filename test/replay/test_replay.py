@@ -93,7 +93,7 @@ class WholeBags(ReplayCase):
         self.assertEqual([r.status for r in self.results(out)], expected)
         self.assertIn("1 messages dropped: no message with a matching stamp", printed)
         self.assertIn("INVALID_INPUT: 1", printed)
-        self.assertIn("; first reason: pose: no transform from frame 'nowhere' to 'track' (track/frame)", printed)
+        self.assertIn("; first reason: pose: no transform from frame 'nowhere' to 'track' at the stamp", printed)
         with open(self.folder / "out.csv", encoding="utf-8") as table:
             rows = list(csv.DictReader(table))
         self.assertEqual([r["status"] for r in rows if r["side"] == ""], ["NO_TRANSFORM", "INVALID_INPUT"])

@@ -73,8 +73,7 @@ class Topics(ReplayCase):
         bag = self.write("/wheelset/pose", "/wheelset/load", "/force")
         config = self.folder / "my.yaml"
         config.write_text("rail_bending: {model: compliance, lateral_force: topic, table: config/rails/pads_40_100.yaml}\n")
-        for topic, names, options in (
-                ("/force", ("--left-rail-force", "force", "--right-rail-force", "/force"),
+        for topic, names, options in (("/force", ("--left-rail-force", "force", "--right-rail-force", "/force"),
                  "--left-rail-force and --right-rail-force"),
                 ("/wheelset/load", ("--left-rail-force", "force", "--right-rail-force", "wheelset/load"),
                  "--load and --right-rail-force"),

@@ -83,7 +83,9 @@ class Commands(unittest.TestCase):
 
     @needs_module
     def test_program_reports_mistakes_and_a_full_disk(self):
-        short = ("--duration", "0.01")
+        short, curve = ("--duration", "0.01"), self.folder / "curve.csv"
+        curve.write_text("x [m],curvature [1/km]\n0,1\n9,1\n")
+        (self.folder / "curve.yaml").write_text(f"track: {{line: {curve}}}\n")
         for arguments, status, message in (
                 (("--speed", "fast"), 2, "argument --speed: invalid float value: 'fast'"),
                 (("--speed",), 2, "argument --speed: expected one argument"), (("--fast", "1"), 2, "unrecognized arguments: --fast 1"),
@@ -92,6 +94,7 @@ class Commands(unittest.TestCase):
                 (("--contact", "topics", "--contact-config", "a.yaml"), 1, "a.yaml: only with --contact process"),
                 (("--config", "missing.yaml"), 1, "missing.yaml: No such file"),
                 (("--contact-config", self.config("wheelset: {balance: wheel_loads}\n")), 1, "balance = wheel_loads must be"),
+                (("--contact-config", self.folder / "curve.yaml"), 1, "no forces of curvature, cant or gradient"),
                 ((*short, "--out", self.folder / "no" / "run.csv"), 1, "no/run.csv: No such file"),
                 ((*short, "--out", "/dev/full"), 1, "/dev/full: No space left on device")):
             result, out, error = run_here(*arguments)

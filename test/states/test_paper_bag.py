@@ -20,8 +20,7 @@ class PaperBag(FolderCase):
     def first_left_patch(self, name, *configs):
         out = self.folder / name
         options = [word for config in configs for word in ("--config", config)]
-        subprocess.run([os.environ["CONTACT_REPLAY"], SHIPPED, out, "--no-grids", *options], check=True,
-                       capture_output=True)
+        subprocess.run([os.environ["CONTACT_REPLAY"], SHIPPED, out, "--no-grids", *options], check=True, capture_output=True)
         with rosbag.Bag(str(out)) as bag:
             results = [message for _, message, _ in bag.read_messages()]
         self.assertEqual(len(results), 66)

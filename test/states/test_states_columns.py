@@ -131,8 +131,7 @@ class Columns(StatesCase):
                 self.assertIn(reason, self.misuse_of(*options))
 
     def test_contradictory_columns_are_refused(self):
-        for titles, reason in (
-                ("time [s]", "column 'y' is missing; the columns are time [s]. --column y='TITLE [mm]'"),
+        for titles, reason in (("time [s]", "column 'y' is missing; the columns are time [s]. --column y='TITLE [mm]'"),
                 ("y [m]", "column 'time' is missing"),
                 ("time [s],y [kg]", "column 'y [kg]': kg is not a unit of y; valid units are m"),
                 ("time [s],y [m],Yaw [mm]", "column 'Yaw [mm]': mm is not a unit of yaw"),

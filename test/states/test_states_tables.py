@@ -154,8 +154,7 @@ class Tables(StatesCase):
                 self.assertIn(reason, self.error_of(text))
 
     def test_files_that_are_not_tables_are_refused(self):
-        for text, reason in (
-                ("", "is empty"), ("# remark\n", "is empty"), ("sep=;\n", "column 'time' is missing"),
+        for text, reason in (("", "is empty"), ("# remark\n", "is empty"), ("sep=;\n", "column 'time' is missing"),
                 (table(",").encode("utf-16-le"), "contains binary data"), (b"PK\3\4\0\0", "contains binary data"),
                 (b"\xff\xfe1", "is empty"), (table(",").split("\n", 1)[1], "has no titles"),
                 (table(",", rows=()), "has no row with numbers")):

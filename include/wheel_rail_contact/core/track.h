@@ -72,6 +72,7 @@ class TrackLine
   /// Design at x [m] and its change per metre; beyond the ends as there.
   TrackDesign designAt(double x, TrackDesign* change = nullptr) const;
   const std::vector<double>& places() const { return x_; }  ///< of the stations [m]
+  bool hasDesign() const;                                   ///< curvature, cant or gradient at any station
 
  private:
   /// Cross level, and three displacements of each rail; then the design.

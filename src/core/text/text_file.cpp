@@ -140,14 +140,14 @@ std::string contentOf(const std::string& path, std::size_t largest)
   refuse_if(trim(text).empty(), "is empty");
   return text;
 }
-}  // namespace
 
 /// Path for a message, which a NUL would end.
-static std::string printable(std::string path)
+std::string printable(std::string path)
 {
   std::replace(path.begin(), path.end(), '\0', '?');
   return path;
 }
+}  // namespace
 
 FileError::FileError(const std::string& file, std::size_t line, const std::string& reason)
     : std::runtime_error(printable(file) + (line > 0 ? ":" + std::to_string(line) : "") + ": " + reason),

@@ -162,15 +162,18 @@ void CellTable::rewind()
 TableTitles titlesWithUnits(const TextFile& file, const std::vector<TableRow>& rows, std::size_t last, bool is_shape)
 {
   const std::vector<std::string>& cells = rows[last].cells;
-  std::size_t filled_cells = 0, known = 0, alike = 0;
+  const auto filled = [](const std::vector<std::string>& row)
+  { return std::count_if(row.begin(), row.end(), [](const std::string& cell) { return !bareUnit(cell).empty(); }); };
+  const std::ptrdiff_t filled_cells = filled(cells);
+  std::ptrdiff_t known = 0, alike = 0;
   for (const std::string& cell : cells)
   {
     const std::string unit = bareUnit(cell);
-    filled_cells += unit.empty() ? 0U : 1U;
-    known += unitNamed(unit) != nullptr ? 1U : 0U;
-    alike += unitNamed(unit) != nullptr || unit.find('/') != std::string::npos ? 1U : 0U;
+    known += unitNamed(unit) != nullptr ? 1 : 0;
+    alike += unitNamed(unit) != nullptr || unit.find('/') != std::string::npos ? 1 : 0;
   }
-  const bool are_units = last > 0 && known > 0 && 2 * alike >= filled_cells;
+  const bool are_units =
+      last > 0 && known > 0 && 2 * alike >= filled_cells && filled(rows[last - 1].cells) >= filled_cells;
   TableTitles result{{}, are_units ? last - 1 : last, are_units};
   const std::vector<std::string>& texts = rows[result.row].cells;
   result.titles = titlesIn(texts, is_shape);

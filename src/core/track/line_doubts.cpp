@@ -94,17 +94,32 @@ std::string sparse(const LineRows& rows)
   const auto& first = rows.front().value;
   const bool is_measured = std::any_of(first.begin() + alignment, first.begin() + cross_level,
                                        [](const auto& value) { return value.has_value(); });
-  const double mean = (*rows.back().value[x] - *first[x]) / static_cast<double>(rows.size());
+  const double mean = (*rows.back().value[x] - *first[x]) / static_cast<double>(rows.size() - 1);
   return rows.size() < fewest || !is_measured || (mean > shortest && mean < longest)
              ? ""
              : formatted("the stations are %.4g m apart: is x in another unit?", mean);
+}
+
+/// Question on a cant that raises the inner rail.
+std::string raisedInside(const LineRows& rows)
+{
+  constexpr double least = 5e-3;  // [m]
+  const auto raised = std::find_if(rows.begin(), rows.end(),
+                                   [](const LineRow& row)
+                                   {
+                                     const double high = row.value[cant].value_or(0);
+                                     return std::abs(high) > least && row.value[curvature].value_or(0) * high > 0;
+                                   });
+  return raised == rows.end()
+             ? ""
+             : formatted("at x = %.10g m the cant raises the inner rail: another sign?", *raised->value[x]);
 }
 }  // namespace
 
 std::vector<std::string> lineDoubts(const LineRows& rows, const std::array<double, columns>& units)
 {
   std::vector<std::string> doubts{sparse(rows), contradiction(rows, gauge, alignment_left, alignment_right),
-                                  contradiction(rows, cross_level, level_left, level_right)};
+                                  contradiction(rows, cross_level, level_left, level_right), raisedInside(rows)};
   for (std::size_t column = gauge; column < curvature; ++column)  // the design stays by intention
   {
     doubts.push_back(frozen(rows, column));

@@ -90,7 +90,7 @@ class LineFile
                        [&](const Used& used) { return used.quantity >= first && used.quantity < end; });
   }
 
-  /// Units of the columns [m], [rad].
+  /// Units of the columns, in SI units.
   const std::array<double, columns>& units() const { return units_; }
 
   /// What is not used, as parts of a sentence.
@@ -166,7 +166,7 @@ class LineFile
   {
     refuseTitlesIf(!has(x),
                    "column 'x' is missing" + (ignored_.empty() ? "" : "; others are " + joined(ignored_, ", ")));
-    refuseTitlesIf(!has(gauge, columns), "no column has an irregularity; valid names are " + validNames());
+    refuseTitlesIf(!has(gauge, columns), "no column has an irregularity or a design; valid names are " + validNames());
     const auto both = [this](std::size_t one, std::size_t other)
     {
       refuseTitlesIf(has(one) && has(other),
@@ -243,9 +243,9 @@ TrackLine readTrackLine(const std::string& path, double nominal_gauge, const Lin
     std::vector<LineStation> stations;
     std::transform(rows.begin(), rows.end(), std::back_inserter(stations),
                    [nominal_gauge](const LineRow& row) { return stationOf(row, nominal_gauge); });
-    const double gap = !table.has(gauge, curvature) ? std::numeric_limits<double>::infinity()
-                       : reading.longest_gap > 0    ? reading.longest_gap
-                                                    : usualGap(stations);
+    const double gap = reading.longest_gap > 0       ? reading.longest_gap
+                       : table.has(gauge, curvature) ? usualGap(stations)
+                                                     : std::numeric_limits<double>::infinity();
     TrackLine line(path, stations, gap, reading.repeat);
     if (report != nullptr)
     {

@@ -67,6 +67,6 @@ void checkValues(const std::vector<LineRow>& rows, double nominal_gauge, const T
 /// @param units  of the columns as written, in SI units
 std::vector<std::string> lineDoubts(const std::vector<LineRow>& rows,
                                     const std::array<double, line_quantity::columns>& units);
-/// Smallest radius, and the first place where the inner rail is the higher one.
+/// Smallest radius, and its side.
 std::string designText(const std::vector<LineRow>& rows);
 }  // namespace wheel_rail_contact::core

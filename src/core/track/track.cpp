@@ -118,7 +118,9 @@ TrackLine::TrackLine(std::string name, const std::vector<LineStation>& stations,
 double TrackLine::withinStations(double x) const
 {
   const double length = x_.back() - x_.front();
-  return repeats_ ? x - std::floor((x - x_.front()) / length) * length : x;
+  const auto first = [&]
+  { return std::clamp(x - std::floor((x - x_.front()) / length) * length, x_.front(), x_.back()); };
+  return repeats_ ? first() : x;
 }
 
 /// Number of the first station after x, at least 1; of the last one if there is none.
@@ -148,6 +150,13 @@ LineStation TrackLine::at(double x) const
     q[k] = c[0] + t * (c[1] + t * (c[2] + t * c[3]));
   }
   return {x, q[0], {RailDeflection{q[1], q[2], q[3]}, RailDeflection{q[4], q[5], q[6]}}, designAt(x)};
+}
+
+bool TrackLine::hasDesign() const
+{
+  return std::any_of(values_.begin(), values_.end(),
+                     [](const Quantities& q)
+                     { return std::any_of(q.begin() + irregularities, q.end(), [](double v) { return v != 0; }); });
 }
 
 TrackDesign TrackLine::designAt(double x, TrackDesign* change) const

@@ -48,11 +48,16 @@ TrackPath::TrackPath(std::shared_ptr<const TrackLine> line) : line_(std::move(li
 {
   const double begin = line_->begin();
   nodes_.push_back({begin, {begin, 0, 0}, 0});
+  sparse_.push_back(0);
   for (const double end : line_->places())
   {
     for (double x = nodes_.back().x; x < end; x = nodes_.back().x)
     {
       nodes_.push_back(moved(nodes_.back(), std::min(x + longest_piece, end)));
+      if (nodes_.back().x >= nodes_[sparse_.back()].x + longest_piece)
+      {
+        sparse_.push_back(nodes_.size() - 1);
+      }
     }
   }
 }
@@ -83,9 +88,9 @@ Eigen::Isometry3d TrackPath::frameAt(double x) const
 
 double TrackPath::placeOf(const Vector3d& point) const
 {
-  const auto nearer = [&](const Node& one, const Node& other)
-  { return (one.position - point).squaredNorm() < (other.position - point).squaredNorm(); };
-  double x = std::min_element(nodes_.begin(), nodes_.end(), nearer)->x, step = 1;
+  const auto nearer = [&](std::size_t one, std::size_t other)
+  { return (nodes_[one].position - point).squaredNorm() < (nodes_[other].position - point).squaredNorm(); };
+  double x = nodes_[*std::min_element(sparse_.begin(), sparse_.end(), nearer)].x, step = 1;
   for (int i = 0; i < most_place_steps && std::abs(step) > place_accuracy; ++i)
   {
     const Vector3d local = frameAt(x).inverse() * point;

@@ -42,6 +42,7 @@ class TrackPath
   Node moved(const Node& from, double x) const;
 
   std::shared_ptr<const TrackLine> line_;
-  std::vector<Node> nodes_;  ///< stations, and places between them
+  std::vector<Node> nodes_;          ///< stations, and places between them
+  std::vector<std::size_t> sparse_;  ///< numbers of nodes at larger distances
 };
 }  // namespace wheel_rail_contact::core

@@ -90,10 +90,9 @@ Eigen::Isometry3d toTrack(const std_msgs::Header& pose, const std::string& track
   }
   catch (const std::exception& error)  // of tf2, and of ros::Time for a stamp at the end of its range
   {
-    throw UnusableInput(WheelsetContact::NO_TRANSFORM, "pose: no transform from frame '" + shown(frame) + "' to '" +
-                                                           track_frame + "' (track/frame) at the stamp " +
-                                                           std::to_string(pose.stamp.toSec()) + ": " +
-                                                           shown(error.what()));
+    throw UnusableInput(WheelsetContact::NO_TRANSFORM,
+                        "pose: no transform from frame '" + shown(frame) + "' to '" + track_frame + "' at the stamp " +
+                            std::to_string(pose.stamp.toSec()) + ": " + shown(error.what()));
   }
 }
 

@@ -227,7 +227,7 @@ void ContactServer::work()
 void ContactServer::evaluate(const ContactInput& input)
 {
   const ContactOutput output = chain_.evaluate(input, [this] { return inputs_.closed(); });
-  if (config_.path && !output.rejected)
+  if (config_.path && !output.rejected && config_.model.track.line->contains(output.state.distance))
   {
     publishTrackFrame(output);
   }

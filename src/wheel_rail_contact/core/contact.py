@@ -125,6 +125,11 @@ class WheelsetContact:
         return self._model.notes
 
     @property
+    def has_design(self):
+        """Whether track/line has curvature, cant or gradient (doc/curves.md)."""
+        return self._model.has_design
+
+    @property
     def wheel_profiles(self):
         """(left, right) Profile of the wheels."""
         return self._model.wheel_profiles

@@ -45,6 +45,9 @@ def read_centre(path):
     with open(path, encoding="utf-8") as file:
         rows = list(csv.reader(line for line in file if line.strip() and not line.startswith("#")))
     columns = dict(zip(rows[0], zip(*rows[1:]))) if len(rows) > 2 else {}
+    design = [name for name in columns if name.lower().startswith(("curvature", "cant", "superelevation", "gradient"))]
+    if design:
+        raise Failure(f"{path}: has a column '{design[0]}', but this command has no loads of curves (doc/curves.md)")
     sides = ("alignment [mm]",) if "alignment [mm]" in columns else ("alignment_left [mm]", "alignment_right [mm]")
     try:
         return (np.array(columns["x [m]"], float),

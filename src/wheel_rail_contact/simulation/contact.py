@@ -45,6 +45,8 @@ def open_contact(path=None):
     except (ImportError, ValueError) as error:
         raise Failure(error) from error
     require_suitable(contact.config.get)
+    if contact.has_design:
+        raise Failure(f"track/line = {contact.config['track/line']}: this program has no forces of curvature, cant or gradient")
     try:
         contact.evaluate(force_z=0.0, twist={"speed": 1.0})  # raises an error if others are required
     except TypeError as error:

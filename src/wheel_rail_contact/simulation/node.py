@@ -87,6 +87,8 @@ class TopicContact:
 def require_load(node):
     """Raises Failure if the parameters of a node expect another load than that of the example."""
     name = rospy.resolve_name(node)
+    if not rospy.has_param(name):
+        raise Failure(f"there are no parameters of a node {name}: it does not run")
 
     def value_of(parameter, default):
         value = rospy.get_param(f"{name}/{parameter}", default)

@@ -21,13 +21,17 @@ DESCRIPTION = """Converts a table of wheelset states, as exported by a vehicle s
 
 def _epilog():
     """What --help prints below the options."""
+    try:
+        units = "; ".join(", ".join(names) for names in map(units_of, dict.fromkeys(QUANTITIES.values())))
+    except Failure as failure:  # without the module
+        units = str(failure)
     return f"""The table is a text file (comma, semicolon, tab or blanks; decimal point or comma). Names and units come first:
   time [s], y [mm], yaw [mrad], Q_left [kN], Q_right [kN]
 Units may also be written as y (mm), y / mm, y_mm, or in the second line. Case does not matter in names and units.
 {textwrap.fill(f"Required columns: time and y. Optional columns: {', '.join(name for name in COLUMNS if name != 'y')}.", 110)}
 {' and '.join(WHEEL_LOADS)} may replace force_z and torque_x. Other columns are ignored, and listed.
 --column y='Wset.Y [mm]' names another title in the file. If the file has no units, this option also gives the unit.
-{textwrap.fill(f"Units: {'; '.join(', '.join(names) for names in map(units_of, dict.fromkeys(QUANTITIES.values())))}.", 110)}
+{textwrap.fill(f"Units: {units}.", 110)}
 Lines that begin with #, %, ! or // are ignored. force_z and torque_x are the force and moment of the vehicle on the axle
 centre, Q_left and Q_right the wheel loads (down), Y_left and Y_right the lateral forces on the rails (outward). rail_lateral
 (outward), rail_vertical and rail_roll (outward) are displacements of the rails. distance is the place along the line.

@@ -103,7 +103,9 @@ TEST(CurveTest, ForcesOfTheRailsBalanceWeightAndCentripetalForce)
 {
   constexpr double gravity = 9.81, mass = 2 * wheel_load / gravity, height = 1.2, curvature = 1 / curve_radius;
   const double cant = std::asin(0.1 / 1.5), across = curve_speed * curve_speed / curve_radius;  // [m/s²]
-  WheelsetContact contact(sceneWith(designed({curvature, -cant, 0}, {curvature, -cant, 0})));
+  ContactModelConfig scene = sceneWith(designed({curvature, -cant, 0}, {curvature, -cant, 0}));
+  scene.wheelset.balance = WheelsetConfig::Balance::moments;
+  WheelsetContact contact(scene);
   const double outward = mass * (across * std::cos(cant) - gravity * std::sin(cant));
   WheelsetState state;
   state.force_z = -mass * (gravity * std::cos(cant) + across * std::sin(cant));
@@ -130,10 +132,11 @@ TEST(CurveTest, ForcesOfTheRailsBalanceWeightAndCentripetalForce)
   const Eigen::Vector3d in_fixed = path.frameAt(-1).linear() * result.rail_wrench.force;
   EXPECT_NEAR(in_fixed.y(), mass * across, 1e-4 * mass * across);
   EXPECT_NEAR(in_fixed.z(), mass * gravity, 1e-4 * mass * gravity);
+  EXPECT_NEAR(result.rail_wrench.moment.x(), -height * outward, 1e-3 * height * outward);
   EXPECT_NEAR(1e3 * place.x(), -4.94, 0.01);
-  EXPECT_NEAR(1e3 * place.y(), 0.256, 0.002);
-  EXPECT_NEAR(1e-3 * result.wheel.left.vertical, 89.7, 0.1);
-  EXPECT_NEAR(1e-3 * result.wheel.right.vertical, 111.7, 0.1);
-  EXPECT_NEAR(1e-3 * result.wheel.left.lateral, -2.8, 0.1);
-  EXPECT_NEAR(1e-3 * result.wheel.right.lateral, 11.0, 0.1);
+  EXPECT_NEAR(1e3 * place.y(), 0.240, 0.002);
+  EXPECT_NEAR(1e-3 * result.wheel.left.vertical, 82.9, 0.1);
+  EXPECT_NEAR(1e-3 * result.wheel.right.vertical, 118.4, 0.1);
+  EXPECT_NEAR(1e-3 * result.wheel.left.lateral, -2.5, 0.1);
+  EXPECT_NEAR(1e-3 * result.wheel.right.lateral, 11.3, 0.1);
 }
