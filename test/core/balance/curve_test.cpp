@@ -130,7 +130,7 @@ TEST(CurveTest, ForcesOfTheRailsBalanceWeightAndCentripetalForce)
   const WheelsetResult& result = okResult(contact, state);
   const TrackPath path(contact.config().track.line);
   const Eigen::Vector3d in_fixed = path.frameAt(-1).linear() * result.rail_wrench.force;
-  EXPECT_NEAR(in_fixed.y(), mass * across, 1e-4 * mass * across);
+  EXPECT_NEAR(in_fixed.y(), mass * across, 3e-4 * mass * across);  // steps of 4 N by the tolerance of 0.2 %
   EXPECT_NEAR(in_fixed.z(), mass * gravity, 1e-4 * mass * gravity);
   EXPECT_NEAR(result.rail_wrench.moment.x(), -height * outward, 1e-3 * height * outward);
   EXPECT_NEAR(1e3 * place.x(), -4.94, 0.01);
