@@ -75,7 +75,7 @@ class TrackLine
   bool hasDesign() const;                                   ///< curvature, cant or gradient at any station
 
  private:
-  /// Cross level, and three displacements of each rail; then the design.
+  /// Cross level, and three displacements of each rail; then the design. In the order of the columns of a file.
   static constexpr std::size_t irregularities = 7, quantities = 10;
   using Quantities = std::array<double, quantities>;
 
@@ -84,6 +84,7 @@ class TrackLine
   static Quantities quantitiesOf(const LineStation& station);
   double withinStations(double x) const;
   std::size_t stationAfter(double x) const;
+  TrackDesign designIn(std::size_t i, double place, TrackDesign* change = nullptr) const;
   bool isGap(std::size_t after) const { return x_[after] - x_[after - 1] > longest_gap_; }
 
   std::string name_;

@@ -50,9 +50,9 @@ Sides<double> WheelLoads::changed(const Sides<double>& loads, double transfer) c
   return with(lighter, overlap > 0 ? std::min(loads[lighter] * std::pow(overlap, 1 / overlap_per_load), sum()) : 0);
 }
 
-bool WheelLoads::returnWheel(const Sides<double>& loads, const Sides<double>& moments, double load) const
+bool WheelLoads::returnWheel(const Sides<double>& loads, const Sides<double>& moments, double share) const
 {
   const double returning = -sideSign(lifted(loads)) * openMoment(moments) / (2 * half_base_);  // [N]
-  return areLifted(loads) && returning > std::max(least_load, load);
+  return areLifted(loads) && returning > std::max(least_load, share * sum());
 }
 }  // namespace wheel_rail_contact::core

@@ -45,8 +45,10 @@ class WheelLoads
   /// Open moment about the axle centre [N m].
   /// @param moments  of the contacts about the axle centre, positive if they lift their wheel [N m]
   double openMoment(const Sides<double>& moments) const { return torque_ + (moments.left - moments.right); }
-  /// True if a wheel is lifted, and the moments return it to its rail with more than a load [N].
-  bool returnWheel(const Sides<double>& loads, const Sides<double>& moments, double load) const;
+  /// True if a wheel is lifted, and the moments return it to its rail.
+  /// @param share  of the whole load with which it must return at least: a late search leaves it lifted below the jumps
+  /// of the forces
+  bool returnWheel(const Sides<double>& loads, const Sides<double>& moments, double share) const;
 
  private:
   bool by_moments_ = false;

@@ -172,8 +172,7 @@ double WheelsetSearch::openingAt(Side side, double roll, double load) const
          WheelLoads::overlap_per_load * std::abs(change) / std::max(solved.load, least_share * loads_.sum());
 }
 
-/// Solves the wheels at the roll under the loads, as far as they are not.
-/// @param any  set to true if a wheel was solved
+/// Solves the wheels at the roll under the loads, as far as they are not. Sets `any` to true if it solved one.
 WheelStatus WheelsetSearch::solveWheels(const KeptResult& kept, bool& any)
 {
   for (const Side side : sides)
@@ -337,8 +336,7 @@ WheelStatus WheelsetSearch::solve(Start start)
       continue;
     }
     last = place_;
-    // A late search leaves a wheel lifted if it would return with less than the jumps of the forces.
-    const double ignored = i < tuning::most_solutions / 2 ? 0 : 0.5 * tuning::jump_share * accuracy_ * loads_.sum();
+    const double ignored = i < tuning::most_solutions / 2 ? 0 : 0.5 * tuning::jump_share * accuracy_;
     const bool returning = loads_.returnWheel(place_.loads, place_.moments, ignored);
     if (returning && takesLoad())
     {

@@ -13,7 +13,6 @@ using namespace line_quantity;
 
 namespace
 {
-constexpr double largest_value = 0.2;  ///< of a displacement, a difference from the nominal gauge, and the design [SI]
 /// Largest change between two stations: slope [-], and change of any two [share of the gauge], far above those of real
 /// track (1:20 on the worst one, steps of a millimetre). A larger one is a filler for a missing value, or a fault.
 constexpr double steepest = 0.1, step_share = 0.003;
@@ -92,7 +91,7 @@ bool isDeviation(std::vector<LineRow>& rows, double nominal, const TextFile& fil
   for (LineRow& row : rows)
   {
     double& value = *row.value[gauge];
-    if (!(std::abs(value - (is_deviation ? 0 : nominal)) <= largest_value))
+    if (!(std::abs(value - (is_deviation ? 0 : nominal)) <= largest_line_value))
     {
       file.refuse(row.line, "gauge = " + std::to_string(value) +
                                 " m: must be the whole gauge, within 0.2 m of track/gauge" +
@@ -112,7 +111,7 @@ void checkValues(const std::vector<LineRow>& rows, double nominal_gauge, const T
     for (std::size_t column = gauge; column < columns; ++column)
     {
       const double value = row.value[column].value_or(0), change = value - before.value[column].value_or(0);
-      const bool is_large = std::abs(value) > largest_value;
+      const bool is_large = std::abs(value) > largest_line_value;
       const bool is_filler = std::abs(change) > least_filler &&
                              ((row.nines[column] && std::abs(change) > 0.5 * std::abs(value)) ||
                               (before.nines[column] && std::abs(change) > 0.5 * std::abs(change - value)));

@@ -47,6 +47,9 @@ inline constexpr std::array<LineColumn, line_quantity::columns> line_columns{{{"
                                                                               {"cant", "length", 1},
                                                                               {"gradient", "slope", 1}}};
 
+/// Largest displacement, difference from the nominal gauge, and value of the design [m], [rad], [1/m], [-].
+inline constexpr double largest_line_value = 0.2;
+
 /// A row of the table in SI units and REP-103 axes; nothing where the column is missing.
 struct LineRow
 {

@@ -6,6 +6,7 @@
 
 #include "core/option_check.h"
 #include "core/profile/curve/monotone_cubic.h"
+#include "core/track/line_rows.h"
 
 namespace wheel_rail_contact::core
 {
@@ -17,11 +18,7 @@ constexpr LengthRange gauge_depths{1e-5, 0.1};
 constexpr LengthRange rolling_radii{0.05, 2};
 constexpr LengthRange tape_circles{0.005, 0.5};
 
-constexpr double largest_value = 0.2;   ///< of a cross level or displacement [m], [rad], and of the design
 constexpr double joined_within = 1e-6;  ///< values at both ends of a line that repeats [SI units]
-constexpr const char* quantity_names[] = {
-    "cross_level",         "rail_lateral_left", "rail_vertical_left", "rail_roll_left", "rail_lateral_right",
-    "rail_vertical_right", "rail_roll_right",   "curvature",          "cant",           "gradient"};
 }  // namespace
 
 double modelScale(const TrackConfig& track, const WheelsetConfig& wheelset)
@@ -78,7 +75,7 @@ TrackLine::TrackLine(std::string name, const std::vector<LineStation>& stations,
     const bool increases = std::isfinite(x_[i]) && (i == 0 || x_[i] > x_[i - 1]);
     refuseIf(!increases, name_, ": station ", i + 1, ": x must increase");
     const auto begin = values_[i].begin(), end = values_[i].end(), design = begin + irregularities;
-    const auto large = std::find_if(begin, end, [](double value) { return !(std::abs(value) <= largest_value); });
+    const auto large = std::find_if(begin, end, [](double value) { return !(std::abs(value) <= largest_line_value); });
     refuseIf(large != end, name_, ": station ", i + 1,
              large < design ? ": a cross level or displacement is above 0.2 m or 0.2 rad"
                             : ": curvature, cant or gradient is above 0.2 1/m, 0.2 rad or 0.2");
@@ -88,8 +85,8 @@ TrackLine::TrackLine(std::string name, const std::vector<LineStation>& stations,
     for (std::size_t k = 0; k < quantities; ++k)
     {
       const double step = values_.back()[k] - values_.front()[k];
-      refuseIf(std::abs(step) > joined_within, name_, ": repeat: a step of ", step, " in ", quantity_names[k],
-               " (SI units) from the last station to the first one");
+      refuseIf(std::abs(step) > joined_within, name_, ": repeat: a step of ", step, " in ",
+               line_columns[line_quantity::cross_level + k].name, " (SI units) from the last station to the first one");
     }
     values_.back() = values_.front();
   }
@@ -149,7 +146,7 @@ LineStation TrackLine::at(double x) const
     setCubic(values_[i - 1][k], values_[i][k], slopes_[i - 1][k], slopes_[i][k], x_[i] - x_[i - 1], c);
     q[k] = c[0] + t * (c[1] + t * (c[2] + t * c[3]));
   }
-  return {x, q[0], {RailDeflection{q[1], q[2], q[3]}, RailDeflection{q[4], q[5], q[6]}}, designAt(x)};
+  return {x, q[0], {RailDeflection{q[1], q[2], q[3]}, RailDeflection{q[4], q[5], q[6]}}, designIn(i, place)};
 }
 
 bool TrackLine::hasDesign() const
@@ -162,7 +159,12 @@ bool TrackLine::hasDesign() const
 TrackDesign TrackLine::designAt(double x, TrackDesign* change) const
 {
   const double place = std::clamp(withinStations(x), x_.front(), x_.back());
-  const std::size_t i = stationAfter(place);
+  return designIn(stationAfter(place), place, change);
+}
+
+/// Design at a place [m] before the station i, and its change per metre.
+TrackDesign TrackLine::designIn(std::size_t i, double place, TrackDesign* change) const
+{
   const auto &from = values_[i - 1], &to = values_[i];
   const auto rate = [&](std::size_t k)
   { return (to[irregularities + k] - from[irregularities + k]) / (x_[i] - x_[i - 1]); };
