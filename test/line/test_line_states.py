@@ -75,7 +75,7 @@ class LineStates(LineCase):
             np.testing.assert_allclose([rail.given_vertical for rail in rails], vertical, atol=1e-5)
             np.testing.assert_allclose([rail.given_roll for rail in rails], -sign * tilt, atol=1e-5)
 
-    def test_report_has_a_picture_along_the_line(self):
+    def test_report_has_a_picture_along_the_line_if_the_wheelset_travels(self):
         self.states()
         bag, out = self.replay(), self.folder / "report"
         self.run_command(report_command.main, bag, "--out", out)
@@ -88,8 +88,15 @@ class LineStates(LineCase):
             self.assertEqual(len(contacts), (results.patches["side"] == side).sum())
             # The wheelset moves up to 5 mm towards a rail: contacts from the gauge corner to the crown.
             self.assertTrue(-20 < contacts.min() < -10 < 0 < contacts.max() < 10, (contacts.min(), contacts.max()))
+        self.assertTrue(along_line.travels(results))
+        results.x = np.linspace(0, 0.9, len(results.x))
+        self.assertFalse(along_line.travels(results))
+        # Rejected inputs may have no pose.
+        results.x[0], results.status[0] = 100, 4
+        results.patches = {name: values[2:] for name, values in results.patches.items()}
+        self.assertFalse(along_line.travels(results))
 
-    def test_picture_along_the_line_has_one_pass_of_many_and_no_empty_panel(self):
+    def test_pictures_of_several_passes_have_equal_scales_and_no_empty_panel(self):
         forth = np.linspace(0, 30, 301)
         for x, expected in ((np.r_[forth, forth], [(0, 301), (301, 602)]), (np.r_[forth[::-1], forth], [(0, 301), (301, 602)]),
                             (np.r_[np.nan, forth + 0.4 * np.sin(9 * forth), np.nan, forth + 40], [(0, 604)])):
@@ -100,22 +107,11 @@ class LineStates(LineCase):
         right = results.patches["side"] == 1
         results.patches = {name: values[~right] for name, values in results.patches.items()}
         with mock.patch.object(along_line, "save", lambda figure, _: figure):
-            drawn = along_line.figure(results, self.folder / "along.png")
-        panels = drawn.axes[:-1]  # the last one is the scale of the colours
-        self.assertEqual([panel.has_data() for panel in panels], 4 * [True])
-        self.assertEqual(panels[0].get_xlim(), (0, results.x[1199]))
-
-    def test_wheelset_that_does_not_travel_has_no_picture_along_the_line(self):
-        self.states()
-        results, _ = read(self.replay("--no-grids"))
-        self.assertTrue(along_line.travels(results))
-        results.x = np.linspace(0, 0.9, len(results.x))
-        self.assertFalse(along_line.travels(results))
-        # Rejected inputs may have no pose.
-        results.x[0], results.status[0] = 100, 4
-        for name in results.patches:
-            results.patches[name] = results.patches[name][2:]
-        self.assertFalse(along_line.travels(results))
+            drawn = along_line.figures(results, self.folder)
+        panels = [figure.axes[:-1] for figure in drawn]  # the last one is the scale of the colours
+        self.assertEqual([panel.has_data() for row in panels for panel in row], 2 * 4 * [True])
+        for one, other in zip(*panels):
+            self.assertEqual((one.get_xlim(), one.get_ylim()), ((0, results.x[1199]), other.get_ylim()))
 
     def test_invalid_options_and_tables_are_refused(self):
         for name, quantity in (("other", "level [mm]"), ("empty", ""), ("curve", "curvature [1/km]")):

@@ -154,6 +154,9 @@ class Report(SweepCase):
             self.assertEqual(results.rail[index][1][3], message.right_rail.lateral_force)
             self.assertEqual(results.wheel[index][1].tolist()[:2], [message.right_wheel.lateral_force,
                                                                     message.right_wheel.vertical_force])
+        span = results.stamp[50], results.stamp[60]
+        np.testing.assert_array_equal(read(self.rigid, span=span)[0].y, results.y[50:61])
+        self.assertEqual(read_full(self.rigid, topic, {7}, span)[7].wheelset.position.y, results.y[57])
 
     def test_friction_is_shown_only_if_there_is_any(self):
         path = self.folder / "friction.bag"
@@ -178,10 +181,11 @@ class Report(SweepCase):
         x = np.arange(100000.0)
         y = np.sin(x / 5000)
         y[43210], y[43215], y[70000:70100] = 7, -7, np.nan
-        short_x, short_y = drawing.thinned(x, y)
-        self.assertLessEqual(len(short_x), drawing.MAX_POINTS)
-        self.assertEqual((np.nanmax(short_y), np.nanmin(short_y)), (7, -7))
-        self.assertTrue((np.diff(short_x) > 0).all())
+        place, mean, low, high = drawing.ranges(x, y)
+        self.assertEqual((len(place), np.nanmax(high), np.nanmin(low), np.isnan(mean).sum()), (drawing.COLUMNS, 7, -7, 1))
+        self.assertTrue((np.diff(place) > 0).all())
+        np.testing.assert_allclose(np.nan_to_num(mean), np.nan_to_num(y).reshape(-1, 100).mean(axis=1), atol=1e-9)
+        self.assertLess({43210, 43215}, set(drawing.prominent(x, np.nan_to_num(y)).tolist()))
 
     def test_reasons_that_differ_only_in_numbers_are_counted_together(self):
         path = self.folder / "remarks.bag"
@@ -193,16 +197,15 @@ class Report(SweepCase):
         results, _ = read(str(path))
         self.assertEqual(sorted(results.reasons.values()), [[1, "left rail: Y = 61.0 kN"], [2, "right rail: Y = 61.0 kN"]])
 
-    def test_full_disk_is_reported_with_the_name_of_the_folder(self):
+    def test_folder_that_cannot_be_written_is_reported_with_its_name(self):
+        self.assertIn("contact_report: --out /sys/report: ", self.report(self.rigid, "--out", "/sys/report", status=1))
         command, out = PACKAGE / "scripts" / "contact_report", self.folder / "full"
         self.assertEqual(error_without_space(2**18, sys.executable, command, self.rigid, "--out", out),
                          f"contact_report: {out}: File too large\n")
 
-    def test_folder_that_cannot_be_created_is_reported(self):
-        self.assertIn("contact_report: --out /sys/report: ", self.report(self.rigid, "--out", "/sys/report", status=1))
-
     def test_bags_without_results_are_refused(self):
         self.assertIn("0 topics with results", self.report(SWEEP, "--out", self.folder / "none", status=1))
+        self.assertIn("none from --from to", self.report(self.rigid, "--from", 99, "--out", self.folder / "none", status=1))
         self.assertIn("No such file", self.report(self.folder / "absent.bag", "--out", self.folder / "none", status=1))
         self.assertFalse((self.folder / "none").exists())
 

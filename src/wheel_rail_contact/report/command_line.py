@@ -21,6 +21,9 @@ def _parser():
     parser.add_argument("--out", required=True, metavar="DIR", help="folder for page and pictures")
     parser.add_argument("--compare", metavar="BAG", help="results of another run, for example without rail bending")
     parser.add_argument("--wheelset", metavar="NAME", help="namespace, if the bag contains several wheelsets")
+    parser.add_argument("--from", dest="begin", type=float, default=-np.inf, metavar="S",
+                        help="first time that is read [s] (default: all)")
+    parser.add_argument("--to", dest="end", type=float, default=np.inf, metavar="S", help="last time that is read [s]")
     parser.add_argument("--at", type=float, nargs="+", default=[], metavar="S",
                         help="times [s]; the pressure of the nearest results is shown")
     return parser
@@ -46,17 +49,18 @@ def chosen_results(results, instants):
 
 
 def _instant(results, index):
-    """Time and lateral position of a result."""
+    """Time and position of a result."""
     looped = (np.diff(results.stamp) < 0).any()
     return (f"{results.stamp[index]:.3f} s" + (f" of loop {loop_of(results.stamp, index)}" if looped else "")
-            + f", y = {1e3 * results.y[index]:.2f} mm")
+            + (f", x = {results.x[index]:.3f} m" if along_line.travels(results) else "") + f", y = {1e3 * results.y[index]:.2f} mm")
 
 
 def make_report(options):
     """Writes page and pictures; prints the path of the page."""
     pyplot()  # reports a missing matplotlib before the work
-    results, topic = read(options.bag, options.wheelset)
-    other = read(options.compare, options.wheelset)[0] if options.compare else None
+    span = options.begin, options.end
+    results, topic = read(options.bag, options.wheelset, span)
+    other = read(options.compare, options.wheelset, span)[0] if options.compare else None
     out = pathlib.Path(options.out)
     output_folder(out)
     with writing(out):
@@ -68,12 +72,12 @@ def _write(out, options, results, topic, other):
     picture, left_out = histories.histories(results, other, out / "histories.png")
     pictures = [("Histories", [picture, *([f"Zero throughout, and not drawn: {'; '.join(left_out)}."] if left_out else [])])]
     if along_line.travels(results):
-        pictures.append(("Along the line", [along_line.figure(results, out / "along_line.png")]))
+        pictures.append(("Along the line", along_line.figures(results, out)))
     if len(results.patches["result"]):
         sides = [side for side in (0, 1) if running_band.can_draw(results, side)]
         if sides:
-            pictures.append(("Running band from above", [running_band.figure(results, side, out / f"running_band_{side}.png")
-                                                         for side in sides]))
+            pictures.append(("Running band from above", [path for side in sides
+                                                         for path in running_band.figures(results, side, out)]))
         pictures.append(("Contact positions on the profiles", [positions.figure(results, out / "bands.png")]))
         pictures += _of_instants(out, options, results, topic)
         pictures.append(("Estimated errors", [errors.figure(results, out / "errors.png")]))
@@ -85,7 +89,7 @@ def _of_instants(out, options, results, topic):
     """Pictures of single results: the pressure, and the stress if it was computed."""
     titles, worst = chosen_results(results, options.at), stress.worst_patches(results)
     of_stress = {int(results.patches["result"][patch]) for patch in worst.values()}
-    messages = read_full(options.bag, topic, {*titles, *of_stress})
+    messages = read_full(options.bag, topic, {*titles, *of_stress}, (options.begin, options.end))
     pressures = [pressure.figure(messages[index], title, out / f"pressure_{index}.png")
                  if any(patch.grid.nx for patch in messages[index].patches) else
                  f"{title}: no pressure ({messages[index].status_text or 'the bag contains no grids'})"

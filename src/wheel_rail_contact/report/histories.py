@@ -7,7 +7,7 @@ import numpy as np
 from ..command import pyplot
 from ..message_constants import SIDES, USABLE
 from . import marks
-from .drawing import COLOURS, MAX_POINTS, draw_history, is_zero, limit_zoom, save
+from .drawing import COLOURS, draw_history, is_zero, limit_zoom, prominent, save
 from .loops import loops
 from .results import RAIL_FIELDS, WHEEL_FIELDS, has_friction, main_patch, of_patches, per_result
 
@@ -47,8 +47,9 @@ def _each_patch(results, label, name, scale, zoom=ZOOM):
     dots = []
     for side in (0, 1):
         others = np.setdiff1d(np.flatnonzero(results.patches["side"] == side), main[side])
-        others = others[::1 + len(others) // MAX_POINTS]
-        dots.append((results.patches["result"][others], scale * results.patches[name][others], COLOURS[side]))
+        index, values = results.patches["result"][others], scale * results.patches[name][others]
+        chosen = prominent(results.stamp[index], values)
+        dots.append((index[chosen], values[chosen], COLOURS[side]))
     return Row(label, _by_side([of_patches(results, name, patch) for patch in main], scale), dots, zoom)
 
 

@@ -57,7 +57,7 @@ def _quantities(results, side):
 
 
 def extremes(results):
-    """Rows of the table of extreme values: quantity, value, stamp [s], y [mm], and the loop if there are several. The value is
+    """Rows of the table of extreme values: quantity, value, stamp [s], x [m], y [mm], and the loop if there are several. The value is
     the one with the largest magnitude, with its sign."""
     rows, several = [], len(loops(results.stamp)) > 1
     sides = [list(_quantities(results, side)) for side in (0, 1)]
@@ -67,7 +67,7 @@ def extremes(results):
                 worst = int(np.abs(values).argmax())
                 result = int(result_of[worst])
                 rows.append((f"{title}, {SIDES[side]}", f"{scale * values[worst]:.{digits}f}", f"{results.stamp[result]:.3f}",
-                             f"{1e3 * results.y[result]:.2f}", *([loop_of(results.stamp, result)] if several else [])))
+                             f"{results.x[result]:.3f}", f"{1e3 * results.y[result]:.2f}", *([loop_of(results.stamp, result)] if several else [])))
     return rows
 
 
@@ -115,7 +115,7 @@ def write(path, title, results, pictures, other_title=None):
     if results.reasons:
         head = "reason, with the numbers of the first result", "results"
         parts += ["<h2>Refusals and remarks</h2>", _table(head, _reasons(results))]
-    parts += ["<h2>Extreme values</h2>", _table(("quantity", "value", "time [s]", "y [mm]", "loop")[:5 if several else 4],
+    parts += ["<h2>Extreme values</h2>", _table(("quantity", "value", "time [s]", "x [m]", "y [mm]", "loop")[:6 if several else 5],
                                                 extremes(results))]
     for heading, images in pictures:
         parts += [f"<h2>{html.escape(heading)}</h2>", *(_shown(image, heading) for image in images)]

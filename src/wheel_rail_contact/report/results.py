@@ -2,6 +2,7 @@
 """Reads the results in a bag into arrays. Pressure grids are read only for selected results."""
 import operator
 import re
+import struct
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -37,6 +38,7 @@ class Results:
     parameters: str = ""
 
 
+ALWAYS = (-np.inf, np.inf)
 FAR_BELOW = -0.1  # [m] height below all pictures
 PATCH_FIELDS = ("contact_angle", "normal_force", "approach", "area", "max_pressure", "error_estimate", "iterations",
                 "semi_axis_along", "semi_axis_across", "rolling_radius", "wheel_s", "rail_s", "wheel_stress.von_mises.value",
@@ -47,9 +49,17 @@ RAIL_FIELDS = ("lateral", "vertical", "roll", "lateral_force", "vertical_force",
 WHEEL_FIELDS = ("lateral_force", "vertical_force", "friction_lateral_force")
 
 
-def _message(raw):
+def _messages(bag, topic, span):
+    """Bytes of the messages with stamps in a span [s], in the order of the bag."""
+    for _, raw, _ in bag.read_messages(topics=[topic], raw=True):
+        seconds, nanoseconds = struct.unpack_from("<II", raw[1], 4)  # the header comes first
+        if span[0] <= seconds + 1e-9 * nanoseconds <= span[1]:
+            yield raw[1]
+
+
+def _message(data):
     """A message from its bytes, with grids as numpy arrays."""
-    return WheelsetContact().deserialize_numpy(raw[1], np)
+    return WheelsetContact().deserialize_numpy(data, np)
 
 
 def find_topic(bag, wheelset):
@@ -67,12 +77,12 @@ def find_topic(bag, wheelset):
     return topics[0]
 
 
-def read(path, wheelset=None):
-    """All results of a bag without their grids, and their topic."""
+def read(path, wheelset=None, span=ALWAYS):
+    """The results of a bag with stamps in a span [s], without their grids, and their topic."""
     try:
         with opened(path) as bag:
             topic = find_topic(bag, wheelset)
-            results = _collect(_message(raw) for _, raw, _ in bag.read_messages(topics=[topic], raw=True))
+            results = _collect(map(_message, _messages(bag, topic, span)))
             _, _, _, header = next(bag.read_messages(topics=[topic], raw=True, return_connection_header=True))
     except rosbag.ROSBagException as error:
         raise Failure(f"{path}: {error}") from None
@@ -112,7 +122,7 @@ def _collect(stream):
             patches.append((index, patch.side, o.position.y, o.position.z, *OF_PATCH(patch)))
             names.append(patch.method)
     if not histories:
-        raise Failure("the bag contains no results")
+        raise Failure("the bag contains no results, or none from --from to --to")
     results.stamp, status, results.x, results.y, results.z, results.roll, results.yaw, results.distance, held = np.array(
         histories, float).T
     results.status, results.held = status.astype(int), held.astype(bool)
@@ -184,8 +194,7 @@ def of_patches(results, name, index):
     return np.where(index >= 0, np.append(results.patches[name], np.nan)[index], np.nan)
 
 
-def read_full(path, topic, wanted):
-    """Messages with grids of the results with the indices `wanted`, as a dictionary by index."""
+def read_full(path, topic, wanted, span=ALWAYS):
+    """Messages with grids of the results of read() with the indices `wanted`, as a dictionary by index."""
     with opened(path) as bag:
-        stored = enumerate(bag.read_messages(topics=[topic], raw=True))
-        return {index: _message(raw) for index, (_, raw, _) in stored if index in wanted}
+        return {index: _message(data) for index, data in enumerate(_messages(bag, topic, span)) if index in wanted}

@@ -5,8 +5,9 @@ import numpy as np
 from ..command import pyplot
 from ..message_constants import SIDES, USABLE
 from . import marks
-from .drawing import draw_history, limit_zoom, save
-from .results import per_result
+from .along_line import drawn_passes
+from .drawing import draw_history, limit_zoom, numbered, save
+from .results import part_of, per_result
 
 GRID = 5e-4             # [m] distance of the points at which the surface is drawn, across the rail
 COLUMNS = 900           # number of the drawn columns along the rail
@@ -153,7 +154,14 @@ def _draw_pressures(axis, x, results, side):
     limit_zoom(axis)
 
 
-def figure(results, side, path):
+def figures(results, side, out):
+    """A picture of each pass of the wheelset that has contacts on the rail. Returns the paths."""
+    passes = [(title, part_of(results, one)) for title, one in drawn_passes(results)]
+    return [figure(part, side, numbered(out, f"running_band_{side}", k), title)
+            for k, (title, part) in enumerate(passes, 1) if can_draw(part, side)]
+
+
+def figure(results, side, path, title=""):
     """Contacts on the surface of the rail, load of each head, and highest pressure over the place. Returns the path."""
     contacts = _contacts(results, side)
     x = np.where(np.isin(results.status, USABLE), results.distance, np.nan)
@@ -161,6 +169,7 @@ def figure(results, side, path):
                                       gridspec_kw={"height_ratios": (2.4, 1, 1)})
     colours = _draw_band(axes[0], results, side, contacts)
     picture.colorbar(colours, ax=axes[0], label="highest pressure [MPa]", pad=0.01)
+    picture.suptitle(title or None)
     axes[0].set_title(f"{SIDES[side]} rail, from above; lines: height [mm]", fontsize="medium")
     _draw_loads(axes[1], x, results, contacts)
     _draw_pressures(axes[2], x, results, side)
