@@ -239,6 +239,8 @@ void readAll(ParameterReader& reader, NodeConfig& config, ModelFiles& files)
   reader.read("contact/hold_last", hold_rule, config.hold_last);
   readSync(reader, config);
   readMarkers(reader, config.markers);
+  reader.read("diagnostics/min_rate", rules::not_negative, config.min_rate);
+  reader.read("diagnostics/max_delay", rules::not_negative, config.max_delay);
 }
 }  // namespace
 

@@ -36,6 +36,8 @@ struct NodeConfig : ContactParameters
   int hold_last = 0;         ///< largest number of results in a row that are held (HoldLast), at most longest_hold
   double longest_gap = 0.1;  ///< largest difference of the stamps of two loads that are interpolated [s], > 0
   MarkerConfig markers;      ///< appearance of the markers
+  double min_rate = 0;       ///< least rate of each input topic in the diagnostics [Hz], >= 0; 0: no bound
+  double max_delay = 0;      ///< largest delay of its messages, from stamp to arrival [s], >= 0; 0: no bound
 };
 
 /// Reads all parameters of the node. config/default.yaml lists their names, units and meanings; the defaults are those

@@ -122,7 +122,8 @@ TEST(Parameters, DefaultFileHasTheDefaultsOfTheCode)
         model.contact.cells_along, model.contact.cells_across, model.contact.check_branches, model.creep.method,
         model.creep.rotation, model.creep.field, config.slop, config.interpolate_load, config.longest_gap,
         config.markers.rate, config.markers.rail_length, config.markers.force_scale, config.markers.max_pressure,
-        config.markers.zoom, config.markers.zoom_height, config.markers.pressure_height);
+        config.markers.zoom, config.markers.zoom_height, config.markers.pressure_height, config.min_rate,
+        config.max_delay);
   };
   EXPECT_EQ(values(file), values(NodeConfig()));
   const std::string required = "{wheel: {profile: S1002}, rail: {profile: 60E1}}";  // nothing else
@@ -146,9 +147,8 @@ TEST(Parameters, NumbersMayBeWrittenAsStrings)
 {
   for (const char* text : {"210e9", "2.1e11", "'210e9'", "210000000000", "+2.1E+11", "210000000000.0"})
   {
-    EXPECT_EQ(read(with(std::string("material: {wheel: {young: ") + text + "}}")).model.wheel_material.left.young,
-              2.1e11)
-        << text;
+    const NodeConfig config = read(with(std::string("material: {wheel: {young: ") + text + "}}"));
+    EXPECT_EQ(config.model.wheel_material.left.young, 2.1e11) << text;
   }
 }
 

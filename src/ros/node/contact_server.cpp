@@ -167,9 +167,12 @@ void ContactServer::subscribeToTransforms(const std::string& topic, bool is_stat
 template <typename Message>
 void ContactServer::subscribeToInput(InputTopic topic)
 {
+  const double delay = config_.max_delay > 0 ? config_.max_delay : std::numeric_limits<double>::infinity();
+  InputDiagnostic& diagnostic = input_diagnostics_.emplace_back(nameOf(topic), diagnostics_, config_, delay);
   subscribeAtOnce<Message>(nameOf(topic),
-                           [this, topic](const boost::shared_ptr<const Message>& message)
+                           [this, topic, &diagnostic](const boost::shared_ptr<const Message>& message)
                            {
+                             diagnostic.tick(message->header.stamp);
                              const std::lock_guard<std::mutex> lock(mutex_);
                              for (ContactInput& input : pairing_.add(topic, message))
                              {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <diagnostic_updater/diagnostic_updater.h>
+#include <diagnostic_updater/publisher.h>
 #include <ros/callback_queue_interface.h>
 #include <ros/ros.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <deque>
+#include <limits>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -32,6 +34,31 @@ class ImmediateCallbacks : public ros::CallbackQueueInterface
   void addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t /*owner_id*/) override { callback->call(); }
   /// Does nothing, because no callback is stored.
   void removeByID(std::uint64_t /*owner_id*/) override {}
+};
+
+/// Report on the rate of an input topic, and on the delay from the stamps of its messages to their arrival. Without a
+/// bound it only states them, and silence is no fault: a simulation may pause.
+class InputDiagnostic : public diagnostic_updater::TopicDiagnostic
+{
+ public:
+  InputDiagnostic(const std::string& topic, diagnostic_updater::Updater& updater, const NodeConfig& config,
+                  double delay)
+      : TopicDiagnostic(topic, updater, {&least_, &largest_, 0}, {-delay, delay}), config_(config)
+  {
+  }
+
+  void run(diagnostic_updater::DiagnosticStatusWrapper& status) override
+  {
+    TopicDiagnostic::run(status);
+    if (config_.min_rate == 0 && config_.max_delay == 0)
+    {
+      status.summary(diagnostic_msgs::DiagnosticStatus::OK, "no bounds given");
+    }
+  }
+
+ private:
+  const NodeConfig& config_;
+  double least_ = config_.min_rate, largest_ = std::numeric_limits<double>::infinity();  ///< rates [Hz]
 };
 
 /// Implementation of node and nodelet: subscribes to the input topics; publishes results, markers and diagnostics;
@@ -108,6 +135,7 @@ class ContactServer
   ros::WallTime next_picture_;     ///< earliest time of the next markers; worker only
   ros::WallTime next_warning_;     ///< earliest time of the next warning; worker only
   diagnostic_updater::Updater diagnostics_;
+  std::deque<InputDiagnostic> input_diagnostics_;
   ros::WallTimer diagnostics_timer_;
   std::thread worker_;
 };

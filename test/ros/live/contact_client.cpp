@@ -67,11 +67,7 @@ std::optional<WheelsetContact> ContactClient::request(const geometry_msgs::PoseS
   const std::size_t before = results_.size();
   send(pose);
   send(load);
-  if (!waitForResults(before + 1))
-  {
-    return std::nullopt;
-  }
-  return results_.back();
+  return waitForResults(before + 1) ? std::make_optional(results_.back()) : std::nullopt;
 }
 
 std::optional<WheelsetContact> ContactClient::request(double y)
@@ -85,20 +81,17 @@ bool ContactClient::waitForResults(std::size_t count)
   return spinUntil([this, count] { return results_.size() >= count; });
 }
 
-Report nextReport(const std::string& node)
+Report nextReport(const std::string& node, const std::string& task)
 {
   Report report;
   ros::NodeHandle nh;
-  int count = 0;
   const auto receive = [&](const diagnostic_msgs::DiagnosticArray::ConstPtr& message)
   {
     for (const auto& status : message->status)
     {
-      if ("/" + status.name == node + ": wheel-rail contact")
+      if ("/" + status.name == node + ": " + task)
       {
-        ++count;
-        report.level = status.level;
-        report.message = status.message;
+        report = {status.level, status.message, {}};
         for (const auto& value : status.values)
         {
           report.values[value.key] = value.value;
@@ -107,7 +100,7 @@ Report nextReport(const std::string& node)
     }
   };
   const auto subscriber = nh.subscribe<diagnostic_msgs::DiagnosticArray>("/diagnostics", queue_size, receive);
-  spinUntil([&count] { return count > 0; });
+  spinUntil([&report] { return report.level >= 0; });
   return report;
 }
 

@@ -60,8 +60,8 @@ struct Report
   std::string message;                        ///< summary
   std::map<std::string, std::string> values;  ///< by key
 };
-/// Waits for the next report of a node; empty after a timeout.
-Report nextReport(const std::string& node);
+/// Waits for the next report of a node on a task; empty after a timeout.
+Report nextReport(const std::string& node, const std::string& task = "wheel-rail contact");
 /// Value of a key of a report; 0 if the report does not have it.
 std::uint64_t number(const Report& report, const std::string& key);
 

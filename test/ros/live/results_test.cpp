@@ -224,4 +224,7 @@ TEST(LiveNode, BuildsNoOutputWithoutSubscribers)
   EXPECT_EQ(report.values["results"], "10");
   EXPECT_EQ(report.values["contact messages built"], "0");
   EXPECT_EQ(report.values["marker arrays built"], "0");
+  const Report poses = nextReport("/unsubscribed/contact_node", "wheelset/pose topic status");
+  EXPECT_EQ(poses.level, 0) << poses.message;
+  EXPECT_EQ(poses.values.at("Events since startup"), "10");
 }

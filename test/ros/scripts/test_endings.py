@@ -77,7 +77,7 @@ class Node:
 
     def take_diagnostics(self, message):
         for status in message.status:
-            if status.name.startswith(self.topic):
+            if status.name == f"{self.topic}: wheel-rail contact":
                 self.diagnostics = {value.key: value.value for value in status.values}
 
     def is_connected(self):
