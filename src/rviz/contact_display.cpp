@@ -72,6 +72,8 @@ void ContactDisplay::reset()
 void ContactDisplay::clear()
 {
   output_.reset();
+  waiting_since_ = ros::WallTime();
+  waited_ = -1;
   trail_.clear();
   view_.clear();
   scale_ = PressureScale(properties_.scale());
@@ -161,6 +163,22 @@ void ContactDisplay::update(float /*wall_dt*/, float /*ros_dt*/)
     changed_ = false;
     draw();
   }
+  else if (!output_)
+  {
+    showWaiting();
+  }
+}
+
+void ContactDisplay::showWaiting()
+{
+  const ros::WallTime now = ros::WallTime::now();
+  waiting_since_ = waiting_since_.isZero() ? now : waiting_since_;
+  const int seconds = static_cast<int>((now - waiting_since_).toSec());
+  if (std::exchange(waited_, seconds) != seconds)
+  {
+    const std::string topic = update_nh_.resolveName(topic_property_->getTopicStd());
+    showPanel({{{"no result on " + topic + " for " + std::to_string(seconds) + " s", Tone::warning}}, {}, {}});
+  }
 }
 
 visualization_msgs::MarkerArray ContactDisplay::markers(const SceneOptions& options)
@@ -181,34 +199,23 @@ PanelContents ContactDisplay::panelContents(const SceneOptions& options) const
   {
     contents.scales.push_back({"von Mises stress [MPa]; crosses: highest", options.max_stress, highest});
   }
-  if (options.forces)
-  {
-    contents.legend.push_back({scene_colors::force, "normal force"});
-  }
-  if (options.friction && output_->result && output_->result->speed != 0)
-  {
-    contents.legend.push_back({scene_colors::friction, "friction on the rail"});
-  }
-  if (model() && options.wheels)
-  {
-    contents.legend.push_back({scene_colors::wheel_section, "wheel section"});
-  }
-  if (model() && options.rails_at_rest)
-  {
-    contents.legend.push_back({scene_colors::rail_at_rest, "rail at rest"});
-  }
+  const auto explain = [&contents](bool is_drawn, const std_msgs::ColorRGBA& color, const char* text) {
+    contents.legend.resize(contents.legend.size() + (is_drawn ? 1 : 0), {color, text});
+  };
+  explain(options.forces, scene_colors::force, "normal force");
+  explain(options.friction && output_->result && output_->result->speed != 0, scene_colors::friction,
+          "friction on the rail");
+  explain(model() && options.wheels, scene_colors::wheel_section, "wheel section");
+  explain(model() && options.rails_at_rest, scene_colors::rail_at_rest, "rail at rest");
   return contents;
 }
 
 SceneOptions ContactDisplay::sceneOptions()
 {
-  if (scale_.fixed() != properties_.scale())
+  for (const auto& [scale, fixed] :
+       {std::pair(&scale_, properties_.scale()), std::pair(&stress_scale_, properties_.stressScale())})
   {
-    scale_ = PressureScale(properties_.scale());
-  }
-  if (stress_scale_.fixed() != properties_.stressScale())
-  {
-    stress_scale_ = PressureScale(properties_.stressScale());
+    *scale = scale->fixed() == fixed ? *scale : PressureScale(fixed);
   }
   SceneOptions options = properties_.options();
   const ros::Time& stamp = output_->header.stamp;
@@ -221,14 +228,13 @@ void ContactDisplay::draw()
 {
   const SceneOptions options = sceneOptions();
   drawing_->show(markers(options));
-  if (properties_.panelLetters() > 0)
-  {
-    panel_->show(panelPicture(panelContents(options), properties_.panelLetters()));
-  }
-  else
-  {
-    panel_->hide();
-  }
+  showPanel(panelContents(options));
+}
+
+void ContactDisplay::showPanel(const PanelContents& contents)
+{
+  const int letters = properties_.panelLetters();
+  letters > 0 ? panel_->show(panelPicture(contents, letters)) : panel_->hide();
   context_->queueRender();
 }
 }  // namespace wheel_rail_contact

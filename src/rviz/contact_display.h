@@ -65,6 +65,8 @@ class ContactDisplay : public rviz::MessageFilterDisplay<WheelsetContact>
   std::string parameterNamespace() const;
   void reportResult();
   void draw();
+  void showPanel(const PanelContents& contents);
+  void showWaiting();
   /// Contents and style of the picture, with the upper ends of the colour scales.
   SceneOptions sceneOptions();
   visualization_msgs::MarkerArray markers(const SceneOptions& options);
@@ -80,6 +82,8 @@ class ContactDisplay : public rviz::MessageFilterDisplay<WheelsetContact>
   ContactTrail trail_;
   PressureScale scale_{0}, stress_scale_{0};  ///< of the pressure, and of the von Mises stress
   ContactView view_;
-  bool changed_ = false;  ///< result or properties have changed since the last drawing
+  ros::WallTime waiting_since_;  ///< zero: not waiting for the first result
+  int waited_ = -1;              ///< seconds in the panel
+  bool changed_ = false;         ///< result or properties have changed since the last drawing
 };
 }  // namespace wheel_rail_contact

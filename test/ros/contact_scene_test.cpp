@@ -229,6 +229,9 @@ TEST_F(Scene, WheelsetCanBeDrawnAtTheOrigin)
   const MarkerArray markers = draw();
   EXPECT_NEAR(findMarker(markers, "force", 0).points[0].x, 0, 1e-12);
   EXPECT_NEAR(findMarker(markers, "trail", 0).points[0].x, -1, 1e-12);
+  trail.add(output, {});
+  const Marker ways = findMarker(draw(), "trail ways", 0);
+  EXPECT_NEAR(ways.points.at(4).x - ways.points.at(5).x, 1, 1e-12) << "from the result before";
 }
 
 TEST_F(Scene, OutputIsRestoredFromItsMessage)

@@ -111,6 +111,10 @@ void addTrail(const ContactTrail& trail, const core::WheelsetResult& drawn,
   Marker marker =
       makeMarker("trail", static_cast<int>(options.track.sides.front()), Marker::SPHERE_LIST, makeColor(1, 1, 1));
   marker.scale.x = marker.scale.y = marker.scale.z = options.trail_width;
+  Marker ways = marker;
+  ways.ns = "trail ways";
+  ways.type = Marker::LINE_LIST;
+  ways.scale.x *= 2;
   for (const TrailPoint& point : trail.points())
   {
     if (isShown(point.side, options))
@@ -120,11 +124,15 @@ void addTrail(const ContactTrail& trail, const core::WheelsetResult& drawn,
           at_rest ? carriedByRail((*at_rest)[point.side], point.side, {}, now, point.pose) : point.pose;
       marker.points.push_back(toPoint({pose.x + shift, pose.y, pose.z}));
       marker.colors.push_back(pressureColor(point.max_pressure, options.patch.max_pressure));
+      const double z = pose.z + options.trail_width;  // above the rail, which would hide the line
+      ways.points.insert(ways.points.end(),
+                         {toPoint({pose.x + shift, pose.y, z}), toPoint({pose.x + shift - point.way, pose.y, z})});
+      ways.colors.insert(ways.colors.end(), 2, marker.colors.back());
     }
   }
   if (!marker.points.empty())
   {
-    markers.markers.push_back(marker);
+    markers.markers.insert(markers.markers.end(), {marker, ways});
   }
 }
 

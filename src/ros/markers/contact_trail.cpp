@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/markers/contact_trail.h"
 
+#include <cmath>
+#include <utility>
+
 #include "ros/markers/rail_motion.h"
 
 namespace wheel_rail_contact
 {
+constexpr double longest_way = 2;  ///< between two results that are joined [m]
+
 void ContactTrail::add(const ContactOutput& output, const std::optional<core::Sides<core::PlacedRail>>& at_rest)
 {
   if (output.header.stamp < last_)
@@ -16,16 +21,14 @@ void ContactTrail::add(const ContactOutput& output, const std::optional<core::Si
   {
     return;
   }
+  const double way = std::exchange(last_x_, output.x()) - output.x();
   for (const core::PatchResult& patch : output.result->patches)
   {
-    core::PatchPose pose = patch.pose;
-    if (at_rest)
-    {
-      const core::RailDeflection& now = output.result->rail[patch.side].deflection;
-      pose = carriedByRail((*at_rest)[patch.side], patch.side, now, {}, pose);
-    }
+    const core::RailDeflection& now = output.result->rail[patch.side].deflection;
+    core::PatchPose pose =
+        at_rest ? carriedByRail((*at_rest)[patch.side], patch.side, now, {}, patch.pose) : patch.pose;
     pose.x += output.x();
-    points_.push_back({patch.side, pose, patch.max_pressure});
+    points_.push_back({patch.side, pose, patch.max_pressure, std::abs(way) < longest_way ? -way : 0});
   }
 }
 

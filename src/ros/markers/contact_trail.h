@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <limits>
 #include <optional>
 
 #include "ros/evaluation/contact_evaluator.h"
@@ -17,6 +18,7 @@ struct TrailPoint
   core::Side side = core::Side::left;  ///< side of the rail
   core::PatchPose pose;                ///< patch frame in the track frame; y, z and angle on the rail at rest
   double max_pressure = 0;             ///< [Pa]
+  double way = 0;                      ///< along the track since the result before; 0: unknown [m]
 };
 
 /// The latest contact points, oldest first. If a stamp decreases, the trail restarts.
@@ -29,13 +31,14 @@ class ContactTrail
   /// Removes the oldest points until at most `count` remain.
   void limit(std::size_t count);
   /// Removes all points.
-  void clear() { points_.clear(); }
+  void clear() { *this = ContactTrail(); }
 
   /// Points, oldest first.
   const std::deque<TrailPoint>& points() const { return points_; }
 
  private:
-  ros::Time last_;  ///< stamp of the last output
+  ros::Time last_;                                            ///< stamp of the last output
+  double last_x_ = std::numeric_limits<double>::quiet_NaN();  ///< of the last result with contacts [m]
   std::deque<TrailPoint> points_;
 };
 }  // namespace wheel_rail_contact
