@@ -57,8 +57,8 @@ def _quantities(results, side):
 
 
 def extremes(results):
-    """Rows of the table of extreme values: quantity, value, stamp [s], x [m], y [mm], and the loop if there are several. The value is
-    the one with the largest magnitude, with its sign."""
+    """Rows of the table of extreme values: quantity, value, stamp [s], x [m], y [mm], and the loop if there are several. The
+    value is the one with the largest magnitude, with its sign."""
     rows, several = [], len(loops(results.stamp)) > 1
     sides = [list(_quantities(results, side)) for side in (0, 1)]
     for pair in zip(*sides):
@@ -67,7 +67,8 @@ def extremes(results):
                 worst = int(np.abs(values).argmax())
                 result = int(result_of[worst])
                 rows.append((f"{title}, {SIDES[side]}", f"{scale * values[worst]:.{digits}f}", f"{results.stamp[result]:.3f}",
-                             f"{results.x[result]:.3f}", f"{1e3 * results.y[result]:.2f}", *([loop_of(results.stamp, result)] if several else [])))
+                             f"{results.x[result]:.3f}", f"{1e3 * results.y[result]:.2f}",
+                             *([loop_of(results.stamp, result)] if several else [])))
     return rows
 
 
