@@ -199,8 +199,12 @@ PanelContents ContactDisplay::panelContents(const SceneOptions& options) const
   {
     contents.scales.push_back({"von Mises stress [MPa]; crosses: highest", options.max_stress, highest});
   }
-  const auto explain = [&contents](bool is_drawn, const std_msgs::ColorRGBA& color, const char* text) {
-    contents.legend.resize(contents.legend.size() + (is_drawn ? 1 : 0), {color, text});
+  const auto explain = [&contents](bool is_drawn, const std_msgs::ColorRGBA& color, const char* text)
+  {
+    if (is_drawn)
+    {
+      contents.legend.push_back({color, text});
+    }
   };
   explain(options.forces, scene_colors::force, "normal force");
   explain(options.friction && output_->result && output_->result->speed != 0, scene_colors::friction,
@@ -215,7 +219,10 @@ SceneOptions ContactDisplay::sceneOptions()
   for (const auto& [scale, fixed] :
        {std::pair(&scale_, properties_.scale()), std::pair(&stress_scale_, properties_.stressScale())})
   {
-    *scale = scale->fixed() == fixed ? *scale : PressureScale(fixed);
+    if (scale->fixed() != fixed)
+    {
+      *scale = PressureScale(fixed);
+    }
   }
   SceneOptions options = properties_.options();
   const ros::Time& stamp = output_->header.stamp;
