@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 #include <ros/package.h>
 
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -11,7 +12,6 @@
 
 #include "config/compliance_table_file.h"
 #include "config/text.h"
-#include "core/option_check.h"
 #include "python/bindings.h"
 #include "python/contact_model.h"
 #include "python/many_states.h"
@@ -23,9 +23,6 @@ namespace wheel_rail_contact
 namespace
 {
 using core::WheelsetState;
-
-/// Numbers of states: (n, number of stateFields()), one row per state.
-using StateTable = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Numbers of a state with the names of their columns in the tables that Python fills. Fields of both sides have two
 /// columns, left first; a displacement and its velocity three on each side.
@@ -77,43 +74,62 @@ std::vector<std::string> stateColumns()
   return names;
 }
 
-std::vector<WheelsetState> statesOf(const StateTable& table)
+/// Numbers of a state, one for each of stateColumns(), and of many states the columns that differ, by their index.
+struct StateTable
 {
-  core::refuseIf(table.cols() != static_cast<Eigen::Index>(stateColumns().size()),
-                 "states: must have a column for each of STATE_COLUMNS");
-  std::vector<WheelsetState> states(static_cast<std::size_t>(table.rows()));
-  Eigen::Index row = 0;
-  for (WheelsetState& state : states)
+  Eigen::ArrayXd common;
+  std::map<std::size_t, Eigen::ArrayXd> columns;
+};
+
+WheelsetState stateOf(const StateTable& table, std::size_t row)
+{
+  WheelsetState state;
+  const auto fields = stateFields(state);
+  for (std::size_t i = 0; i < fields.size(); ++i)
   {
-    Eigen::Index column = 0;
-    for (const auto& [name, number] : stateFields(state))
-    {
-      *number = table(row, column++);
-    }
-    ++row;
+    *fields[i].second = table.common(static_cast<Eigen::Index>(i));
   }
-  return states;
+  for (const auto& [i, column] : table.columns)
+  {
+    *fields[i].second = column(static_cast<Eigen::Index>(row));
+  }
+  return state;
 }
 
-core::WheelsetResult evaluate(ContactModel& model, const StateTable& table)
+core::WheelsetResult evaluate(ContactModel& model, const Eigen::ArrayXd& numbers)
 {
-  return model.evaluate(statesOf(table).at(0));
+  return model.evaluate(stateOf({numbers, {}}, 0));
 }
 
-/// Evaluates many states without the interpreter. Ctrl-C ends the evaluation.
-ManyResults evaluateStates(const ContactModel& model, const StateTable& table, int threads, bool keep_results)
+/// Evaluates sequences of states without the interpreter. Ctrl-C ends the evaluation, and an exception of
+/// `progress(done, count)`, which may be None.
+ManyResults evaluateStates(const ContactModel& model, const StateTable& table, std::vector<std::size_t> ends,
+                           const ManyOptions& options, const py::object& progress)
 {
   bool interrupted = false;
-  const auto is_interrupted = [&interrupted]
+  const std::size_t count = ends.empty() ? 0 : ends.back();
+  const auto is_interrupted = [&](std::size_t done)
   {
     const py::gil_scoped_acquire interpreter;
-    interrupted = interrupted || PyErr_CheckSignals() != 0;
+    try
+    {
+      if (!interrupted && PyErr_CheckSignals() == 0 && !progress.is_none())
+      {
+        progress(done, count);
+      }
+    }
+    catch (py::error_already_set& error)
+    {
+      error.restore();
+    }
+    interrupted = PyErr_Occurred() != nullptr;
     return interrupted;
   };
   ManyResults results(0);
   {
     const py::gil_scoped_release released;
-    results = evaluateMany(model.config(), statesOf(table), {threads, keep_results}, is_interrupted);
+    const auto state = [&table](std::size_t i) { return stateOf(table, i); };
+    results = evaluateMany(model.config(), {state, std::move(ends)}, options, is_interrupted);
   }
   if (interrupted)
   {
@@ -153,7 +169,14 @@ void bindModel(py::module& module)
   py::class_<ContactModel>(module, "ContactModel")
       .def(py::init<const std::vector<ParameterSource>&>())
       .def("evaluate", &evaluate, Released())
-      .def("evaluate_many", &evaluateStates)
+      .def("evaluate_many",
+           [](const ContactModel& model, const Eigen::ArrayXd& common, std::map<std::size_t, Eigen::ArrayXd> columns,
+              const Eigen::Array<std::size_t, Eigen::Dynamic, 1>& ends, int threads, bool keep_results,
+              const py::object& progress)
+           {
+             return evaluateStates(model, {common, std::move(columns)}, {ends.data(), ends.data() + ends.size()},
+                                   {threads, keep_results}, progress);
+           })
       .def(
           "stiffness", [](ContactModel& model, const std::string& side) { return model.stiffness(sideOf(side)); },
           Released())

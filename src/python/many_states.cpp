@@ -74,8 +74,8 @@ ManyResults::ManyResults(std::size_t count) : status(count), status_text(count)
   patches.setZero(rows, 2);
   for (SideColumns* columns :
        {&vertical_force, &lateral_force, &friction_vertical_force, &friction_lateral_force, &adhesion_share,
-        &friction_power, &max_pressure, &area, &error_estimate, &contact_angle, &rolling_radius, &wheel_von_mises,
-        &rail_von_mises, &rail_lateral, &rail_vertical, &rail_roll})
+        &friction_power, &max_pressure, &area, &error_estimate, &contact_angle, &rolling_radius, &mean_rolling_radius,
+        &wheel_von_mises, &rail_von_mises, &rail_lateral, &rail_vertical, &rail_roll})
   {
     columns->setConstant(rows, 2, nan);
   }
@@ -129,10 +129,13 @@ void ManyResults::setSide(Eigen::Index row, core::Side side, const core::Wheelse
   max_pressure(row, column) = area(row, column) = error_estimate(row, column) = 0;
   wheel_von_mises(row, column) = rail_von_mises(row, column) = 0;
   adhesion_share(row, column) = friction_power(row, column) = 0;
+  double normal_force = 0, radius_moment = 0;
   for (const PatchResult& patch : result.patches)
   {
     if (patch.side == side)
     {
+      normal_force += patch.normal_force;
+      radius_moment += patch.normal_force * patch.rolling_radius;
       ++patches(row, column);
       max_pressure(row, column) = std::max(max_pressure(row, column), patch.max_pressure);
       area(row, column) += patch.area;
@@ -147,48 +150,57 @@ void ManyResults::setSide(Eigen::Index row, core::Side side, const core::Wheelse
   {
     contact_angle(row, column) = patch->contact_angle;
     rolling_radius(row, column) = patch->rolling_radius;
+    mean_rolling_radius(row, column) = radius_moment / normal_force;
   }
 }
 
-ManyResults evaluateMany(const NodeConfig& config, const std::vector<core::WheelsetState>& states,
-                         const ManyOptions& options, const std::function<bool()>& is_interrupted)
+ManyResults evaluateMany(const NodeConfig& config, const StateSequences& sequences, const ManyOptions& options,
+                         const std::function<bool(std::size_t done)>& is_interrupted)
 {
-  ManyResults results(states.size());  // each row is written by one thread
-  results.results.resize(options.keep_results ? states.size() : 0);
-  std::atomic<std::size_t> next{0};  // first state that no thread has taken
+  const std::size_t count = sequences.ends.empty() ? 0 : sequences.ends.back();
+  ManyResults results(count);  // each row is written by one thread
+  results.results.resize(options.keep_results ? count : 0);
+  std::atomic<std::size_t> next{0}, done{0};  // first sequence that no thread has taken, states
+  std::atomic<bool> ended{false};
+  const auto evaluate_sequence = [&](core::WheelsetContact& contact, std::size_t sequence)
+  {
+    contact.reset();
+    for (std::size_t i = sequence == 0 ? 0 : sequences.ends[sequence - 1]; i < sequences.ends[sequence] && !ended; ++i)
+    {
+      results.set(i, contact.evaluate(sequences.state(i)), config.linear_range);
+      ++done;
+    }
+  };
   const auto work = [&]
   {
     try
     {
       core::WheelsetContact contact(config.model);
-      for (std::size_t i = next++; i < states.size(); i = next++)
+      for (std::size_t sequence = next++; sequence < sequences.ends.size() && !ended; sequence = next++)
       {
-        contact.reset();
-        results.set(i, contact.evaluate(states[i]), config.linear_range);
+        evaluate_sequence(contact, sequence);
       }
     }
     catch (...)
     {
-      next = states.size();
+      ended = true;
       throw;
     }
   };
   std::vector<std::future<void>> workers =
-      start(std::min(static_cast<std::size_t>(options.threads), states.size()), work);
+      start(std::min(static_cast<std::size_t>(options.threads), sequences.ends.size()), work);
   for (std::future<void>& worker : workers)
   {
     while (worker.wait_for(between_checks) != std::future_status::ready)
     {
-      if (is_interrupted())
-      {
-        next = states.size();
-      }
+      ended = ended || is_interrupted(done);
     }
   }
   for (std::future<void>& worker : workers)
   {
     worker.get();
   }
+  is_interrupted(done);
   return results;
 }
 
@@ -238,6 +250,8 @@ void bindMany(py::module& module)
                     "(n, 2) of the patch with the largest normal force [rad]; NaN without a patch")
       .def_readonly("rolling_radius", &ManyResults::rolling_radius,
                     "(n, 2) of the patch with the largest normal force [m]; NaN without a patch")
+      .def_readonly("mean_rolling_radius", &ManyResults::mean_rolling_radius,
+                    "(n, 2) of all patches, weighted by their normal forces [m]; NaN without a patch")
       .def_readonly("wheel_von_mises", &ManyResults::wheel_von_mises,
                     "(n, 2) highest von Mises stress in the wheel [Pa]; 0 unless stress/depths is above 0")
       .def_readonly("rail_von_mises", &ManyResults::rail_von_mises,

@@ -36,13 +36,14 @@ struct ManyResults
   SideColumns max_pressure;                      ///< highest pressure of all patches; 0 without a patch [Pa]
   SideColumns area;                              ///< contact area of all patches [m²]
   SideColumns error_estimate;                    ///< largest one of all patches [-]
-  SideColumns contact_angle;    ///< of the patch with the largest normal force [rad]; NaN without a patch
-  SideColumns rolling_radius;   ///< of the patch with the largest normal force [m]; NaN without a patch
-  SideColumns wheel_von_mises;  ///< highest von Mises stress in the wheel; 0 without a patch or StressConfig [Pa]
-  SideColumns rail_von_mises;   ///< the same in the rail [Pa]
-  SideColumns rail_lateral;     ///< displacement of the rail, outward positive [m]
-  SideColumns rail_vertical;    ///< displacement of the rail, up positive [m]
-  SideColumns rail_roll;        ///< rotation of the rail, positive if the crown moves outward [rad]
+  SideColumns contact_angle;        ///< of the patch with the largest normal force [rad]; NaN without a patch
+  SideColumns rolling_radius;       ///< of the patch with the largest normal force [m]; NaN without a patch
+  SideColumns mean_rolling_radius;  ///< of all patches, weighted by their normal forces [m]; NaN without a patch
+  SideColumns wheel_von_mises;      ///< highest von Mises stress in the wheel; 0 without a patch or StressConfig [Pa]
+  SideColumns rail_von_mises;       ///< the same in the rail [Pa]
+  SideColumns rail_lateral;         ///< displacement of the rail, outward positive [m]
+  SideColumns rail_vertical;        ///< displacement of the rail, up positive [m]
+  SideColumns rail_roll;            ///< rotation of the rail, positive if the crown moves outward [rad]
   /// With the pressures; empty unless they are kept.
   std::vector<std::shared_ptr<core::WheelsetResult>> results;
 
@@ -55,6 +56,16 @@ struct ManyResults
   void setSide(Eigen::Index row, core::Side side, const core::WheelsetResult& result);
 };
 
+/// Sequences of states.
+struct StateSequences
+{
+  /// State with an index; called by several threads.
+  std::function<core::WheelsetState(std::size_t)> state;
+  /// Index after the last state of each sequence, increasing. The first state of a sequence starts cold, each other one
+  /// from the one before it.
+  std::vector<std::size_t> ends;
+};
+
 /// How many states are evaluated.
 struct ManyOptions
 {
@@ -62,11 +73,11 @@ struct ManyOptions
   bool keep_results = false;  ///< true: ManyResults::results is filled
 };
 
-/// Evaluates many states on several threads. Each state starts cold: a result depends neither on the other states nor
-/// on the number of threads.
-/// @param is_interrupted is called at intervals, in the calling thread; true ends the evaluation, and the remaining
-/// results stay as they are at the beginning.
+/// Evaluates many states on several threads, each sequence on one. A result depends neither on other sequences nor on
+/// the number of threads.
+/// @param is_interrupted is called at intervals and at the end, in the calling thread, with the number of states done;
+/// true ends the evaluation, and the remaining results stay as they are at the beginning.
 /// @throw an exception of the evaluation, after all threads have ended.
-ManyResults evaluateMany(const NodeConfig& config, const std::vector<core::WheelsetState>& states,
-                         const ManyOptions& options, const std::function<bool()>& is_interrupted);
+ManyResults evaluateMany(const NodeConfig& config, const StateSequences& sequences, const ManyOptions& options,
+                         const std::function<bool(std::size_t done)>& is_interrupted);
 }  // namespace wheel_rail_contact

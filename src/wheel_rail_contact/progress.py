@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Progress on standard error: a bar on a terminal, otherwise lines."""
+import contextlib
 import sys
 import time
 
 WIDTH = 30
 STEP = 5000  # items between two calls
+PERIOD = 5   # between the lines of counted() without a terminal [s]
 
 
 def no_progress(done, total, title):
@@ -17,6 +19,21 @@ def shown(items, total, progress, noun):
         if done and done % STEP == 0:
             progress(done, max(total, done), f"{noun} {done} of {total}")
         yield item
+
+
+@contextlib.contextmanager
+def counted(progress, noun):
+    """Gives a function of the numbers of items done and of all: `progress`, or for True one that shows them; None for False."""
+    if progress is True:
+        shows = Progress(period=PERIOD)
+        try:
+            yield lambda done, total: shows(done, max(total, 1), f"{done} of {total} {noun}")
+        finally:
+            shows.end()
+    elif progress in (False, None) or callable(progress):
+        yield progress if callable(progress) else None
+    else:
+        raise TypeError(f"progress = {progress!r}: must be True, False or a function")
 
 
 class Progress:

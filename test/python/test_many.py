@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """WheelsetContact.evaluate_many()."""
+import contextlib
+import io
 import os
 import signal
 import threading
@@ -12,7 +14,7 @@ from wheel_rail_contact import WheelsetContact
 LOAD = -200e3  # of the axle [N]
 WITH_STRESS = {"stress": {"depths": 4}, "material": {"wheel": {"poisson": 0.3}}}
 COLUMNS = ("z", "roll", "patches", "vertical_force", "lateral_force", "max_pressure", "area", "error_estimate", "contact_angle",
-           "rolling_radius", "wheel_von_mises", "rail_von_mises", "rail_lateral", "rail_vertical", "rail_roll",
+           "rolling_radius", "mean_rolling_radius", "wheel_von_mises", "rail_von_mises", "rail_lateral", "rail_vertical", "rail_roll",
            "above_tolerance", "implausible_force")
 
 
@@ -45,14 +47,29 @@ class ManyEqualsOne(unittest.TestCase):
                 self.assertEqual(many.rail_vertical[i, side], getattr(one, f"{name}_rail").vertical)
                 main = max(patches, key=lambda patch: patch.normal_force, default=None)
                 np.testing.assert_equal(many.contact_angle[i, side], main.contact_angle if main else np.nan)
+                force = sum(patch.normal_force for patch in patches)
+                mean = sum(patch.normal_force * patch.rolling_radius for patch in patches) / force if patches else np.nan
+                np.testing.assert_allclose(many.mean_rolling_radius[i, side], mean, rtol=1e-14)
             np.testing.assert_array_equal(many.results[i].patches[0].pressure, one.patches[0].pressure)
 
     def test_the_number_of_threads_changes_no_bit(self):
         y = np.linspace(-6e-3, 6e-3, 40)
-        one, three = (self.contact.evaluate_many(y=y, yaw=2 * y, force_z=LOAD, threads=threads) for threads in (1, 3))
-        for name in COLUMNS:
-            np.testing.assert_array_equal(getattr(one, name), getattr(three, name), name)
-        self.assertEqual(one.results, [])
+        for sequences in (None, 8):
+            one, three = (self.contact.evaluate_many(y=y, yaw=2 * y, force_z=LOAD, sequences=sequences, threads=threads)
+                          for threads in (1, 3))
+            for name in COLUMNS:
+                np.testing.assert_array_equal(getattr(one, name), getattr(three, name), name)
+            self.assertEqual(one.results, [])
+
+    def test_a_sequence_is_a_loop_of_evaluate(self):
+        y = np.linspace(2e-3, 6e-3, 15)
+        many = self.contact.evaluate_many(y=y, force_z=LOAD, sequences=[9, 6], threads=2, results=True)
+        for i, result in enumerate(many.results):
+            one = self.cold(y=y[i], force_z=LOAD) if i in (0, 9) else self.contact.evaluate(y=y[i], force_z=LOAD)
+            self.assertEqual((many.z[i], len(result.patches)), (one.wheelset.position.z, len(one.patches)))
+            for patch, expected in zip(result.patches, one.patches):
+                np.testing.assert_array_equal(patch.pressure, expected.pressure)
+        self.assertTrue(np.any(many.z != self.contact.evaluate_many(y=y, force_z=LOAD).z))
 
     def test_the_start_of_evaluate_is_not_changed(self):
         other = WheelsetContact(WITH_STRESS)
@@ -84,7 +101,11 @@ class ManyEqualsOne(unittest.TestCase):
                                        ({"y": np.zeros((2, 2))}, ValueError, r"y: has the shape \(2, 2\)"),
                                        ({"y": ["a"]}, TypeError, "y = .*must be a number"),
                                        ({"threads": 0}, ValueError, "threads = 0: must be from 1 to 1024"),
-                                       ({"threads": 1.5}, TypeError, "threads = 1.5: must be an integer")):
+                                       ({"threads": 1.5}, TypeError, "threads = 1.5: must be an integer"),
+                                       ({"y": np.zeros(6), "sequences": 4}, ValueError, "divides the number of states, 6"),
+                                       ({"sequences": [2, -1]}, ValueError, "or lengths above 0 with this sum"),
+                                       ({"sequences": 1.0}, TypeError, "sequences = 1.0: must be the length"),
+                                       ({"progress": "yes"}, TypeError, "progress = 'yes': must be True, False or a")):
             with self.subTest(arguments=arguments), self.assertRaisesRegex(error, text):
                 self.contact.evaluate_many(force_z=LOAD, **arguments)
 
@@ -126,9 +147,27 @@ class Threads(unittest.TestCase):
             np.testing.assert_allclose(found, expected, rtol=0.01)  # the tolerance: their starts differ
         self.assertEqual(len(pressures), 2)
 
-    def test_ctrl_c_ends_the_evaluation(self):
-        timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
-        timer.start()
-        with self.assertRaises(KeyboardInterrupt):
-            WheelsetContact().evaluate_many(y=np.zeros(300_000), force_z=LOAD)  # takes a minute
-        timer.join()
+    def test_ctrl_c_ends_the_evaluation_within_a_sequence(self):
+        for sequences in (1, 300_000):
+            timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
+            timer.start()
+            with self.assertRaises(KeyboardInterrupt):
+                WheelsetContact().evaluate_many(y=np.zeros(300_000), force_z=LOAD, sequences=sequences)  # takes a minute
+            timer.join()
+
+
+class Progress(unittest.TestCase):
+    def test_it_is_called_up_to_the_end(self):
+        calls = []
+        WheelsetContact().evaluate_many(y=np.zeros(1000), force_z=LOAD, progress=lambda *counts: calls.append(counts))
+        self.assertEqual(calls[-1], (1000, 1000))
+        self.assertEqual(calls, sorted(calls))
+        terminal = io.StringIO()
+        terminal.isatty = lambda: True
+        with contextlib.redirect_stderr(terminal):
+            WheelsetContact().evaluate_many(force_z=LOAD, progress=True)
+        self.assertRegex(terminal.getvalue(), r"100 % .* 1 of 1 states +\n$")
+
+    def test_its_exception_ends_the_evaluation(self):
+        with self.assertRaises(ZeroDivisionError):
+            WheelsetContact().evaluate_many(y=np.zeros(300_000), force_z=LOAD, progress=lambda done, total: 1 / 0)

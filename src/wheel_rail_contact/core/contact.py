@@ -9,11 +9,13 @@ from collections.abc import Mapping
 import numpy as np
 
 from ..command import shipped
+from ..progress import counted
 from .extension import core
-from .states import MANY, ONE, table
+from .states import MANY, ONE, ends_of, states_of
 
 MOST_THREADS = 1024
 DEEPEST = 16        # nested groups of parameters
+NO_STATE = ("self", "sequences", "threads", "results", "progress")  # arguments of evaluate_many()
 
 
 class WheelsetContact:
@@ -79,25 +81,32 @@ class WheelsetContact:
         argument that the parameters do not permit.
         """
         arguments = {name: value for name, value in locals().items() if name != "self"}
-        return self._model.evaluate(table(self._model, arguments, ONE))
+        return self._model.evaluate(states_of(self._model, arguments, ONE).common)
 
     def evaluate_many(self, *, y=0.0, yaw=0.0, force_z=None, torque_x=0.0, z=None, roll=0.0, x=0.0, distance=None,
                       rail_lateral_force=None, rail_displacement=None, twist=None, rail_velocity=None, pitch=0.0,
-                      threads=None, results=False):
+                      sequences=None, threads=None, results=False, progress=False):
         """Evaluates n states on several threads, without the lock of the interpreter. Ctrl-C ends the evaluation.
 
-        Each state starts cold, as after reset(): a result depends neither on the other states nor on the number of threads. The
-        previous result of evaluate() stays as it is.
+        Each state starts cold, as after reset(), or from the one before it in its sequence, as in a loop of evaluate(). A
+        result depends neither on other sequences nor on the number of threads. The previous result of evaluate() stays as it is.
 
         y, yaw, ...: as in evaluate(). Numbers, or arrays (n,), all with the same n; rail_lateral_force (2,) or (n, 2);
             rail_displacement and rail_velocity (2, 3) or (n, 2, 3); in twist numbers or (n,)
+        sequences: the length of all sequences of neighbouring states, or an array of their lengths; a sequence runs on one
+            thread. Default: each state is one
         threads: number of threads, 1 to 1024; default: that of the processor cores
         results: True keeps the WheelsetResult of each state, with the pressures, in `results`
+        progress: True shows the progress on standard error; a function is called with the numbers of states done and of all,
+            up to twenty times a second and at the end. Its exception ends the evaluation
 
         Returns ManyResults: arrays of the numbers of all states. Raises as evaluate().
         """
-        arguments = {name: value for name, value in locals().items() if name not in ("self", "threads", "results")}
-        return self._model.evaluate_many(table(self._model, arguments, MANY), _threads(threads), bool(results))
+        arguments = {name: value for name, value in locals().items() if name not in NO_STATE}
+        count, *numbers = states_of(self._model, arguments, MANY)
+        ends = ends_of(sequences, count)
+        with counted(progress, "states") as report:
+            return self._model.evaluate_many(*numbers, ends, _threads(threads), bool(results), report)
 
     def reset(self):
         """Discards the previous result: the next evaluation starts cold."""

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """States for the core, from the arguments of evaluate() and evaluate_many()."""
 from collections.abc import Mapping
+from typing import NamedTuple
 
 import numpy as np
 
@@ -14,8 +15,15 @@ VELOCITIES = ("speed", "lateral_velocity", "vertical_velocity", "yaw_rate", "rol
 COLUMNS = {name: [i for i, column in enumerate(core.STATE_COLUMNS) if column == name] for name in core.STATE_COLUMNS}
 
 
-def table(model, arguments, many):
-    """States as an array (n, len(STATE_COLUMNS)).
+class States(NamedTuple):
+    """Numbers of n states."""
+    count: int            # n
+    common: np.ndarray    # (len(STATE_COLUMNS),) of all states
+    columns: dict         # index in STATE_COLUMNS -> (n,) numbers that differ
+
+
+def states_of(model, arguments, many):
+    """States, from the arguments of an evaluation.
 
     model: ContactModel, whose parameters state which arguments are required
     arguments: name -> value as given; None: not given
@@ -30,12 +38,33 @@ def table(model, arguments, many):
     plain = {name: value for name, value in arguments.items() if isinstance(value, float) and name not in SHAPES}
     arrays = {name: _array(name, value, many) for name, value in arguments.items() if value is not None and name not in plain}
     lengths = {name: len(array) for name, array in arrays.items() if array.ndim > len(SHAPES.get(name, ()))}
-    states = np.zeros((_common(lengths), len(core.STATE_COLUMNS)))
+    states = States(_common(lengths), np.zeros(len(core.STATE_COLUMNS)), {})
     for name, array in arrays.items():
-        states[:, COLUMNS[name]] = array.reshape(lengths.get(name, 1), len(COLUMNS[name]))
+        columns = array.reshape(lengths.get(name, 1), len(COLUMNS[name])).T
+        if name in lengths:
+            states.columns.update(zip(COLUMNS[name], columns))
+        else:
+            states.common[COLUMNS[name]] = columns[:, 0]
     for name, value in plain.items():  # most arguments of most states: without arrays, which take longer
-        states[:, COLUMNS[name][0]] = value
+        states.common[COLUMNS[name][0]] = value
     return states
+
+
+def ends_of(sequences, count):
+    """Index after the last state of each sequence: an array of unsigned integers.
+
+    sequences: see WheelsetContact.evaluate_many(). count: number of states
+    Raises TypeError, ValueError.
+    """
+    lengths = np.asarray(1 if sequences is None else sequences)
+    if lengths.dtype.kind not in "iu":
+        raise TypeError(f"sequences = {sequences!r}: must be the length of each sequence, or an array of lengths")
+    if lengths.ndim == 0 and lengths > 0 and count % lengths == 0:
+        lengths = np.full(count // lengths, lengths)
+    if lengths.ndim != 1 or np.any(lengths < 1) or lengths.sum() != count:
+        raise ValueError(f"sequences = {sequences!r}: must be one length that divides the number of states, {count}, or "
+                         "lengths above 0 with this sum")
+    return np.cumsum(lengths, dtype=np.uintp)
 
 
 def _check_given(model, arguments):
