@@ -19,7 +19,7 @@ run = running(main)
 
 
 def read(path):
-    return CsvTable(path, texts=("reason",))
+    return CsvTable(path, texts=("reason", "loaded_reason"))
 
 
 def write_cones(folder, hollow=0.0, gap=0.0):
@@ -57,9 +57,16 @@ class Command(FolderCase):
         self.assertIn("             2               0.0500           16.51                   -1.000\n", out)
 
     def test_picture_is_drawn(self):
-        status, out, err = run("--out", self.folder, "--step", 0.5, "--title", "S1002 on 60E1", "--amplitudes", 0.5, 0.5)
+        status, out, err = run("--out", self.folder, "--step", 0.5, "--title", "S1002 on 60E1", "--amplitudes", 0.5, 0.5,
+                               "--load", 100e3)
         self.assertEqual((status, err), (0, ""))
-        self.assertRegex(out, r"\n +0\.5 +0\.\d{4} ", "all are printed if none is whole")
+        self.assertRegex(out, r"\n +0\.5 +0\.\d{4} [^$]*under 100 kN .*\n.*\n +0\.5 +0\.\d{4} ",
+                         "all are printed if none is whole")
+        points, conicity = (read(Path(self.folder, name)) for name in (GEOMETRY, CONICITY))
+        np.testing.assert_allclose(points["loaded_left_rolling_radius"] - points["loaded_right_rolling_radius"],
+                                   points["loaded_rolling_radius_difference"], atol=1e-8)
+        self.assertEqual((points["loaded_reason"], conicity["loaded_reason"]), ([""] * 41, [""]))
+        self.assertAlmostEqual(conicity["loaded_equivalent_conicity"][0], 0.17, delta=0.01)
         self.assertTrue(is_drawn(Path(self.folder, "contact_geometry.png")))
 
     def test_missing_results_have_an_empty_cell_and_a_printed_reason(self):
@@ -91,12 +98,13 @@ class Command(FolderCase):
         self.assertTrue(np.all(np.isnan(conicity["equivalent_conicity"])))
         self.assertIn("no result for 7 of 7 values of the y, -3 mm to 3 mm: points_missing", out)
 
-    def test_rails_that_deflect_are_reported_as_rigid(self):
+    def test_rails_that_deflect_are_reported_as_rigid_without_load(self):
         config = Path(self.folder, "bending.yaml")
         config.write_text("rail_bending: {model: compliance, table: config/rails/paper.yaml}\n", encoding="ascii")
-        status, _, err = run("--config", config, "--out", self.folder, "--step", 1)
-        self.assertEqual(status, 0, err)
-        self.assertIn("rail_bending/model is not used", err)
+        for load, is_rigid in (((), True), (("--load", 100e3), False)):
+            status, _, err = run("--config", config, "--out", self.folder, "--step", 1, *load)
+            self.assertEqual(status, 0, err)
+            self.assertEqual("rail_bending/model is not used" in err, is_rigid)
 
     def test_wrong_options_are_refused_with_name_and_value(self):
         for arguments, message in ((("--y", "5e0", "-5e0"), "--y 5 -5: must increase, within ±100 mm"),
@@ -104,6 +112,7 @@ class Command(FolderCase):
                                    (("--distance", 3), "--distance 3: must be omitted, because no rail has a profile that"),
                                    (("--y", 0, 101), "--y 0 101: must increase"),
                                    (("--y", "nan", 1), "--y nan 1: must be a number"),
+                                   (("--load", -1e5), "--load -100000: must be above 0"),
                                    (("--step", 0), "--step 0: must be above 0"),
                                    (("--step", 1e-6), "--step 1e-06: gives more than 20000 steps from -10 mm to 10 mm"),
                                    (("--amplitudes", 0, 5), "--amplitudes 0 5: must be above 0"),

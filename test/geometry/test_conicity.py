@@ -7,6 +7,7 @@ import numpy as np
 from wheel_rail_contact.command import contact_model, native, running_circles
 from wheel_rail_contact.geometry.conicity import (NO_CENTRE, NO_WAVE, OUT_OF_RANGE, SEVERAL_WAVES, RadiusDifference,
                                                   kinematic_wavelength)
+from wheel_rail_contact.geometry.loaded import longest_curve, loaded_points
 
 MM = 1e-3
 
@@ -145,6 +146,15 @@ class OfContactGeometry(unittest.TestCase):
         coarse, fine = self.curve(8, 0.5), self.curve(8, 0.05)
         for amplitude in (1, 3, 5, 6.5):
             self.assertAlmostEqual(coarse.conicity(amplitude * MM)[0], fine.conicity(amplitude * MM)[0], delta=2e-4)
+
+    def test_under_load_the_jump_on_the_tread_is_wide_and_cones_stay_cones(self):
+        y, cones = np.linspace(-2, 2, 41) * MM, {"wheel": {"profile": "cone_1_20"}}
+        light, loaded, of_cones = (RadiusDifference(longest_curve(loaded_points(configs, y, load, None))).conicity(1 * MM)[0]
+                                   for configs, load in (((), 10), ((), 100e3), ([cones], 100e3)))
+        # The rigid contact jumps at 0.3 mm; straight lines between the steps of 0.1 mm spread this jump.
+        self.assertAlmostEqual(light, self.curve(2, 0.1).conicity(1 * MM)[0], delta=2e-3)
+        self.assertAlmostEqual(loaded, 0.171, delta=2e-3)  # measured by a user of the package
+        self.assertAlmostEqual(of_cones, self.curve(2, 0.1, cones).conicity(1 * MM)[0], delta=5e-4)  # the tolerance of 1 %
 
     def test_wavelength_has_the_running_circles_of_the_wheelset(self):
         wheels = {"left": {"rolling_radius": 0.4604}, "right": {"rolling_radius": 0.46}}

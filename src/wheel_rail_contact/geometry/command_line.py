@@ -6,8 +6,9 @@ import sys
 from pathlib import Path
 
 from ..arguments import DefaultsFormatter, Parser
-from ..command import Failure, calculating, contact_model, finish, native, output_folder, pyplot
+from ..command import Failure, calculating, contact_model, finish, load_doubt, native, output_folder, pyplot
 from . import picture, tables
+from .loaded import longest_curve, loaded_points
 from .tables import CONICITY, GEOMETRY, MM
 
 PICTURE = "contact_geometry.png"
@@ -31,37 +32,47 @@ def _run(options):
     if options.distance is not None and None not in model.rail_profiles:
         raise Failure(f"--distance {options.distance:g}: must be omitted, because no rail has a profile that changes")
     output_folder(options.out)
-    for note in [*model.notes, *_unused(model.parameters)]:
+    for note in [*model.notes, *_notes(model.parameters, options)]:
         print(f"contact_geometry: {note}", file=sys.stderr)
     y, step = [value / MM for value in options.y], options.step / MM
     with calculating():
         geometry = core.contact_geometry(model, *y, step, options.roll == "solved", options.distance or 0.0)
         points = tables.points_of(geometry)
-        tables.write(points, options.out / GEOMETRY)
-    amplitudes = [value / MM for value in options.amplitudes]
-    conicity = tables.conicity_of(geometry, core.running_circles(model), amplitudes, step)
-    tables.write(conicity, options.out / CONICITY)
-    picture.draw(plot, points, conicity, options.title or ", ".join(options.config) or "config/default.yaml",
-                 options.out / PICTURE)
+    loaded = loaded_points(options.config, points["y"], options.load, options.distance) if options.load else {}
+    tables.write(points, loaded, options.out / GEOMETRY)
+    waves = core.running_circles(model), [value / MM for value in options.amplitudes], step
+    conicity = tables.conicity_of(geometry.curve, *waves)
+    loaded_conicity = tables.conicity_of(longest_curve(loaded), *waves) if loaded else {}
+    tables.write(conicity, loaded_conicity, options.out / CONICITY)
+    picture.draw(plot, (points, loaded), (conicity, loaded_conicity),
+                 options.title or ", ".join(options.config) or "config/default.yaml", options.out / PICTURE)
     _report(points, conicity)
+    if loaded:
+        print(f"elastic, under {1e-3 * options.load:g} kN on each wheel:")
+        _report(loaded, loaded_conicity)
     print(f"wrote {GEOMETRY}, {CONICITY} and {PICTURE} to {options.out}")
 
 
-def _unused(parameters):
-    """Notes on parameters that move the rails: the contact geometry is that of the ideal track."""
+def _notes(parameters, options):
+    """Notes on parameters that move the rails, which lie in the ideal track and deflect only under a load; and on the load."""
     for name, ideal in (("rail_bending/model", "none"), ("track/line", ""), ("track/displacement", "none")):
-        if parameters.get(name) != ideal:  # None: a group, such as {file: line.csv}
+        is_used = options.load and name == "rail_bending/model"
+        if parameters.get(name) != ideal and not is_used:  # None: a group, such as {file: line.csv}
             yield f"{name} is not used: the rails are rigid, in the ideal track"
+    if options.load:
+        yield from filter(None, [load_doubt(options.load, options.config)])
 
 
 def _check(options):
     for name, values in (("y", options.y), ("amplitudes", options.amplitudes), ("step", [options.step]),
-                         ("distance", [options.distance or 0.0])):
+                         ("distance", [options.distance or 0.0]), ("load", [options.load or 0.0])):
         if not all(math.isfinite(value) for value in values):
             raise Failure(f"--{name} {_text(values)}: must be a number")
     first, last = options.y
     if not -FARTHEST <= first < last <= FARTHEST:
         raise Failure(f"--y {_text(options.y)}: must increase, within ±{FARTHEST:g} mm")
+    if options.load is not None and not options.load > 0:
+        raise Failure(f"--load {options.load:g}: must be above 0")
     if not options.step > 0:
         raise Failure(f"--step {options.step:g}: must be above 0")
     if last - first < options.step - ROUND_OFF:
@@ -127,5 +138,7 @@ def _parser():
                         help="solved: both wheels touch; none: roll is neglected, as in the reference results of EN 15302")
     parser.add_argument("--distance", type=float, metavar="M",
                         help="place on the line, for rails whose profile changes [m] (default: 0)")
+    parser.add_argument("--load", type=float, metavar="N",
+                        help="also computes the contact of elastic wheels with this vertical force on each wheel [N]")
     parser.add_argument("--title", metavar="TEXT", help="title of the picture, instead of the names of the files")
     return parser

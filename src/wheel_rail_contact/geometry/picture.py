@@ -8,18 +8,20 @@ SIDES = (("left", "tab:blue"), ("right", "tab:orange"))
 DPI = 110
 
 
-def draw(plot, points, conicity, title, path):
+def draw(plot, both_points, both_conicities, title, path):
     """Draws the picture.
 
-    points, conicity: as of tables.points_of() and tables.conicity_of(). title: describes wheels and track.
+    both_points, both_conicities: as of tables.points_of() and tables.conicity_of(), rigid and under load; the latter may be {}.
+    title: describes wheels and track.
     """
+    (points, loaded), (conicity, loaded_conicity) = both_points, both_conicities
     figure, axes = plot.subplots(2, 2, figsize=(10, 7), constrained_layout=True)
     figure.suptitle(title, fontsize=11)
     y = MM * points["y"]
-    _radius_difference(axes[0, 0], y, points)
+    _radius_difference(axes[0, 0], y, points, loaded)
     _positions(axes[0, 1], y, points)
     _roll(axes[1, 0], y, points)
-    _conicity(axes[1, 1], conicity)
+    _conicity(axes[1, 1], conicity, loaded_conicity)
     for axis in axes.flat:
         axis.grid(color="0.88", linewidth=0.6)
     figure.savefig(path, dpi=DPI)
@@ -32,8 +34,16 @@ def _over_y(axis, y, title, label):
     axis.axvline(0, color="0.7", linewidth=0.8)
 
 
-def _radius_difference(axis, y, points):
-    axis.plot(y, MM * points["rolling_radius_difference"], ".-", color="k", markersize=3, linewidth=0.8)
+def _curves(axis, x, curve, loaded):
+    """Draws the curve of rigid bodies, and one under load if it is not None."""
+    axis.plot(x, curve, ".-", color="k", markersize=3, linewidth=0.8, label="rigid")
+    if loaded is not None:
+        axis.plot(x, loaded, "-", color="tab:green", linewidth=1.2, label="elastic, under load")
+        axis.legend(fontsize=8)
+
+
+def _radius_difference(axis, y, points, loaded):
+    _curves(axis, y, MM * points["rolling_radius_difference"], MM * loaded["rolling_radius_difference"] if loaded else None)
     axis.axhline(0, color="0.7", linewidth=0.8)
     _over_y(axis, y, "Rolling radius difference", "left minus right [mm]")
 
@@ -54,9 +64,9 @@ def _roll(axis, y, points):
     _over_y(axis, y, "Roll: neglected" if neglected else "Roll of the wheelset", "left wheel up [mrad]")
 
 
-def _conicity(axis, conicity):
+def _conicity(axis, conicity, loaded):
     amplitude, value = MM * conicity["amplitude"], conicity["equivalent_conicity"]
-    axis.plot(amplitude, value, ".-", color="k", markersize=3, linewidth=0.8)
+    _curves(axis, amplitude, value, loaded.get("equivalent_conicity"))
     known = np.flatnonzero(np.isfinite(value))
     if known.size:
         nearest = known[np.argmin(abs(amplitude[known] - 3))]
@@ -64,7 +74,7 @@ def _conicity(axis, conicity):
             axis.plot(3, value[nearest], "o", color="tab:red")
             axis.annotate(f"{value[nearest]:.3f} at 3 mm", (3, value[nearest]), xytext=(8, -14), color="tab:red",
                           textcoords="offset points")
-        axis.set_ylim(0, max(1.05 * np.nanmax(value), 0.05))
+        axis.set_ylim(0, max(1.05 * np.nanmax([*value, *loaded.get("equivalent_conicity", ())]), 0.05))
     else:
         axis.text(0.5, 0.5, "no result; see the CSV file", ha="center", va="center", transform=axis.transAxes)
     axis.set(title="Equivalent conicity (EN 15302)", xlabel="amplitude of the wave [mm]", ylabel="tan γe [-]")
