@@ -65,6 +65,18 @@ void readTrack(ParameterReader& reader, NodeConfig& config, ModelFiles& files)
   reader.read("track/distance", {{"pose", false}, {"topic", true}}, config.distance_topic);
 }
 
+void readPublished(ParameterReader& reader, NodeConfig& config)
+{
+  const std::string frame = "wheelset/frame";
+  reader.read(frame, config.wheelset_frame);
+  reader.refuseIf(!config.wheelset_frame.empty() &&
+                      (!isFrame(config.wheelset_frame) || config.wheelset_frame == config.track_frame ||
+                       config.wheelset_frame == config.fixed_frame),
+                  frame, "the name of a tf frame of its own, without a leading slash, of at most 1000 bytes");
+  reader.read("wheelset/publish_tf", {{"false", false}, {"true", true}}, config.publish_tf);
+  reader.read("wheelset/publish_wrenches", {{"false", false}, {"true", true}}, config.publish_wrenches);
+}
+
 void readWheelset(ParameterReader& reader, core::WheelsetConfig& wheelset)
 {
   reader.read("wheelset/flange_back_distance", rules::finite, wheelset.flange_back_distance);
@@ -229,6 +241,7 @@ void readAll(ParameterReader& reader, NodeConfig& config, ModelFiles& files)
 {
   readTrack(reader, config, files);
   readWheelset(reader, config.model.wheelset);
+  readPublished(reader, config);
   readWheels(reader, config.model, files);
   readRails(reader, config.model, files);
   readRailBending(reader, config.model.rail_bending, files);

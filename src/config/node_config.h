@@ -30,7 +30,10 @@ struct NodeConfig : ContactParameters
   std::string track_frame = "track";            ///< tf name of the track frame
   std::string fixed_frame;                      ///< parent of the published track frame; empty: it is not published
   std::shared_ptr<const core::TrackPath> path;  ///< of the track frame in the fixed frame; null without one
-  double slop = 0;  ///< largest difference of the stamps of a pair [s], >= 0; 0: equal stamps
+  std::string wheelset_frame;     ///< tf name of the wheelset; empty: from the namespace of its topics (WheelsetFrames)
+  bool publish_tf = false;        ///< the wheelset is broadcast on /tf
+  bool publish_wrenches = false;  ///< the force on each wheel is published, and its centre of pressure on /tf
+  double slop = 0;                ///< largest difference of the stamps of a pair [s], >= 0; 0: equal stamps
   bool interpolate_load =
       false;                 ///< true: the load is interpolated at the stamp of the pose; false: matched by its stamp
   int hold_last = 0;         ///< largest number of results in a row that are held (HoldLast), at most longest_hold

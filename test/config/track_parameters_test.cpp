@@ -138,5 +138,10 @@ TEST_F(LineParameter, MistakesAreRefusedWithTheNameOfTheParameter)
   {
     expectRefused(publish, "/contact_node/track/publish_track_frame = ");
   }
+  for (const char* frame : {"/axle", "track"})
+  {
+    EXPECT_TRUE(
+        contains(refusal(with(std::string("wheelset: {frame: ") + frame + "}")), "/contact_node/wheelset/frame = "));
+  }
   expectRefused("line: {file: line.csv, unit: mm}", "/contact_node/track/line/unit");
 }

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/node/contact_server.h"
 
-#include <tf2_msgs/TFMessage.h>
-
 #include <exception>
 #include <iostream>
 
 #include "core/option_check.h"
 #include "ros/evaluation/conversions.h"
+#include "ros/evaluation/plain_messages.h"
 #include "ros/markers/contact_scene.h"
 #include "ros/markers/stress_section.h"
 #include "ros/markers/track_markers.h"
@@ -49,6 +48,7 @@ ContactServer::ContactServer(const ros::NodeHandle& nh, const ros::NodeHandle& p
     : nh_(nh),
       private_nh_(private_nh),
       config_(readNodeParameters(private_nh_)),
+      wheelset_frame_(wheelsetFrame(config_, nh_.getNamespace())),
       pairing_(config_),
       inputs_(input_capacity),
       neighbours_(config_),
@@ -127,9 +127,14 @@ void ContactServer::advertise()
   marker_publisher_ = private_nh_.advertise<visualization_msgs::MarkerArray>("markers", marker_queue_size);
   profile_publisher_ = private_nh_.advertise<visualization_msgs::MarkerArray>("profiles", 1, true);
   profile_publisher_.publish(profileMarkers(config_));
-  if (config_.path)
+  if (config_.path || config_.publish_tf || config_.publish_wrenches)
   {
     frame_publisher_ = nh_.advertise<tf2_msgs::TFMessage>("/tf", queue_size);
+  }
+  for (std::size_t i = 0; config_.publish_wrenches && i < core::sides.size(); ++i)
+  {
+    const std::string wheel = std::string(nameOf(core::sides[i])) + "_wheel/wrench";
+    wrench_publishers_[core::sides[i]] = private_nh_.advertise<geometry_msgs::WrenchStamped>(wheel, queue_size);
   }
 }
 
@@ -230,9 +235,9 @@ void ContactServer::work()
 void ContactServer::evaluate(const ContactInput& input)
 {
   const ContactOutput output = chain_.evaluate(input, [this] { return inputs_.closed(); });
-  if (config_.path && !output.rejected && config_.model.track.line->contains(output.state.distance))
+  if (frame_publisher_)
   {
-    publishTrackFrame(output);
+    publishPlain(output);
   }
   const bool wants_message = contact_publisher_.getNumSubscribers() > 0;
   if (wants_message)
@@ -255,18 +260,19 @@ void ContactServer::evaluate(const ContactInput& input)
   }
 }
 
-void ContactServer::publishTrackFrame(const ContactOutput& output) const
+void ContactServer::publishPlain(const ContactOutput& output) const
 {
-  const core::WheelsetState& state = output.state;
-  const Eigen::Isometry3d frame = config_.path->frameAt(state.distance) * Eigen::Translation3d(-state.x, 0, 0);
-  tf2_msgs::TFMessage message;
-  geometry_msgs::TransformStamped& transform = message.transforms.emplace_back();
-  transform.header.stamp = output.header.stamp;
-  transform.header.frame_id = config_.fixed_frame;
-  transform.child_frame_id = config_.track_frame;
-  transform.transform.translation = vectorMessage(frame.translation());
-  transform.transform.rotation = toMessage(Eigen::Quaterniond(frame.linear()));
-  frame_publisher_.publish(message);
+  if (const tf2_msgs::TFMessage frames = framesOf(output, config_, wheelset_frame_); !frames.transforms.empty())
+  {
+    frame_publisher_.publish(frames);
+  }
+  if (config_.publish_wrenches && output.result)
+  {
+    for (const core::Side side : core::sides)
+    {
+      wrench_publishers_[side].publish(wrenchMessage(output, side, wheelset_frame_));
+    }
+  }
 }
 
 void ContactServer::warn(const std::string& beyond_linear_range)

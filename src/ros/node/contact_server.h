@@ -103,12 +103,13 @@ class ContactServer
   void warnOfMissingStamp(InputTopic topic, const ros::Time& stamp);
   bool pictureIsDue();
   void publishMarkers(const ContactOutput& output);
-  void publishTrackFrame(const ContactOutput& output) const;
+  void publishPlain(const ContactOutput& output) const;
   void reportNow();
   void report(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   ros::NodeHandle nh_, private_nh_;
   const NodeConfig config_;
+  const std::string wheelset_frame_;
   InputPairing pairing_;  ///< under `mutex_`, together with pushing to `inputs_`
   TransformStore transforms_;
   ros::Time last_transform_;  ///< ROS time of the last message on /tf or /tf_static; under `mutex_`
@@ -129,11 +130,12 @@ class ContactServer
   ImmediateCallbacks immediate_;
   std::vector<ros::Subscriber> subscribers_;
   ros::Publisher contact_publisher_, marker_publisher_, profile_publisher_, frame_publisher_;
-  MarkerKeys shown_markers_;       ///< markers of the last published array; worker only
-  PressureScale pressure_scale_;   ///< of the markers; worker only
-  PressureScale stress_scale_{0};  ///< of the markers; worker only
-  ros::WallTime next_picture_;     ///< earliest time of the next markers; worker only
-  ros::WallTime next_warning_;     ///< earliest time of the next warning; worker only
+  core::Sides<ros::Publisher> wrench_publishers_;  ///< with wheelset/publish_wrenches
+  MarkerKeys shown_markers_;                       ///< markers of the last published array; worker only
+  PressureScale pressure_scale_;                   ///< of the markers; worker only
+  PressureScale stress_scale_{0};                  ///< of the markers; worker only
+  ros::WallTime next_picture_;                     ///< earliest time of the next markers; worker only
+  ros::WallTime next_warning_;                     ///< earliest time of the next warning; worker only
   diagnostic_updater::Updater diagnostics_;
   std::deque<InputDiagnostic> input_diagnostics_;
   ros::WallTimer diagnostics_timer_;
