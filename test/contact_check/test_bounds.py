@@ -3,13 +3,14 @@
 import unittest
 
 import genpy
-from wheel_rail_contact.checking.bounds import BadParameter, check_names, read_limits, violation
+from wheel_rail_contact.checking.bounds import judge, read_limits
+from wheel_rail_contact.checking.parameters import BadParameter
 from wheel_rail_contact.msg import ContactPatch, PatchCreep, WheelsetContact
 
 
 def result(status=WheelsetContact.OK, seconds=1, **quantities):
     message = WheelsetContact(status=status, status_text="" if status == 0 else "a reason")
-    message.header.stamp = genpy.Time(seconds)
+    message.header.stamp = genpy.Time.from_sec(seconds)
     message.wheelset.position.z = 0.46
     if status <= WheelsetContact.LIFT_OFF:
         message.left_wheel.vertical_force = message.right_wheel.vertical_force = 50e3
@@ -18,29 +19,22 @@ def result(status=WheelsetContact.OK, seconds=1, **quantities):
 
 
 def violations(parameters, results):
-    limits = read_limits(parameters)
-    found = {name: violation(name, limits, results) for name in check_names(limits)}
-    return {name: text for name, text in found.items() if text}
+    return judge(read_limits(parameters), results)[0]
 
 
 class Bounds(unittest.TestCase):
-    def test_results_within_the_bounds_pass(self):
+    def test_results_within_the_bounds_pass_and_no_results_fail(self):
         parameters = {"results": 2, "flange_contact": False,
                       "bounds": {"max_pressure": {"max": 1e9}, "area": {"min": 1e-5, "max": 1e-4}}}
         good = [result(max_pressure=p, area=a, contact_angle=0.69) for p, a in ((1e9, 1e-5), (0, 1e-4))]
         self.assertEqual(violations(parameters, good), {})
+        self.assertEqual(violations({}, []), {"results": "0 results, at least 1 are required"})
 
-    def test_worst_patch_is_reported_with_time_side_and_count(self):
+    def test_worst_patch_is_reported_with_time_side_and_count_and_nan_violates(self):
         results = [result(max_pressure=p, seconds=1800000000 + i) for i, p in enumerate((1e9, 3e9, 2e9, 0.5e9))]
         text = violations({"bounds": {"max_pressure": {"max": 1.5e9}}}, results)["max_pressure"]
         self.assertIn("max_pressure 3e+09 Pa is above 1.5e+09 Pa at 1800000001.000 s, right wheel", text)
         self.assertIn("2 of 4 patches", text)
-
-    def test_value_below_the_minimum_violates_the_bound(self):
-        text = violations({"bounds": {"area": {"min": 1e-5}}}, [result(area=9e-6)])["area"]
-        self.assertIn("area 9e-06 m^2 is below 1e-05 m^2", text)
-
-    def test_nan_violates_every_bound(self):
         self.assertIn("area", violations({"bounds": {"area": {"max": 1}}}, [result(area=float("nan"))]))
 
     def test_implausible_force_is_a_violation_unless_it_is_allowed(self):
@@ -52,13 +46,11 @@ class Bounds(unittest.TestCase):
                          "carries 18 MN")
         self.assertEqual(violations({"implausible_forces": 1}, [flagged]), {})
 
-    def test_flange_contact_is_detected_by_its_angle(self):
+    def test_flange_contact_is_detected_by_its_angle_also_of_the_back_of_a_flange(self):
         steep = [result(contact_angle=0.7)]
         self.assertEqual(violations({}, steep), {})
         self.assertIn("flange contact", violations({"flange_contact": False}, steep)["flange_contact"])
         self.assertEqual(violations({"flange_contact": False, "flange_angle": 0.8}, steep), {})
-
-    def test_contact_of_the_back_of_a_flange_counts_as_flange_contact(self):
         parameters = {"flange_contact": False, "flange_angle": 0.7}
         for angle, words in ((-0.7, "contact_angle -0.7 rad is not above -0.7 rad"),
                              (-1.2, "contact_angle -1.2 rad is below -0.7 rad"), (1.2, "contact_angle 1.2 rad is above 0.7")):
@@ -83,7 +75,7 @@ class Bounds(unittest.TestCase):
         self.assertIn("1 results with a wheel that carries no load", found["lift_offs"])
         self.assertEqual(violations({"refusals": 1, "lift_offs": 1}, results), {})
 
-    def test_loads_in_kilonewtons_are_a_violation(self):
+    def test_loads_in_kilonewtons_are_a_violation_and_patches_of_a_held_result_are_not_checked(self):
         small = result()
         small.left_wheel.vertical_force, small.right_wheel.vertical_force = 60, 40
         self.assertEqual(violations({}, [small])["loads"], "the mean wheel load is 50 N, at least 1000 N are required; loads "
@@ -91,20 +83,13 @@ class Bounds(unittest.TestCase):
         self.assertEqual(violations({"least_load": 40}, [small]), {})
         small.wheelset.position.z *= 0.2  # a model
         self.assertEqual(violations({}, [small]), {})
-
-    def test_patches_of_a_held_result_are_not_checked(self):
         held = result(max_pressure=3e9)
         held.status, held.held = WheelsetContact.NOT_CONVERGED, True
         parameters = {"refusals": 1, "bounds": {"max_pressure": {"max": 1.5e9}}}
         self.assertEqual(violations(parameters, [result(), held]), {})
 
-    def test_run_without_results_fails(self):
-        self.assertEqual(violations({}, []), {"results": "0 results, at least 1 are required"})
-
-    def test_numbers_may_be_strings(self):
+    def test_invalid_parameters_are_refused_by_name_and_numbers_may_be_strings(self):
         self.assertEqual(read_limits({"bounds": {"max_pressure": {"max": "2e9"}}}).bounds["max_pressure"][1], 2e9)
-
-    def test_invalid_parameters_are_refused_by_name(self):
         for parameters, name in (({"result": 1}, "result = 1"), ({"results": 1.5}, "results = 1.5"),
                                  ({"refusals": -1}, "refusals"), ({"flange_contact": "no"}, "flange_contact"),
                                  ({"idle": 0}, "idle"), ({"bounds": {"presure": {"max": 1}}}, "bounds/presure"),

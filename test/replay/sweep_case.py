@@ -23,8 +23,8 @@ class SweepCase(CommandCase):
         cls.rigid = cls.replay("rigid.bag", PACKAGE / "config" / "manchester.yaml")
 
     @classmethod
-    def replay(cls, name, config, bag=SWEEP):
+    def replay(cls, name, config, bag=SWEEP, *options):
         """@return path of the results of the sweep, or of another bag, with a parameter file"""
         out = cls.folder / name
-        subprocess.run([os.environ["CONTACT_REPLAY"], bag, out, "--config", config], check=True, capture_output=True)
+        subprocess.run([os.environ["CONTACT_REPLAY"], bag, out, "--config", config, *options], check=True, capture_output=True)
         return out

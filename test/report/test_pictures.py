@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures of contact_report: scales, gaps, marks and labels of the figures, before they are written to files."""
 import copy
+import html
 import pathlib
+import subprocess
 import sys
 import types
 import unittest
@@ -10,15 +12,17 @@ from unittest import mock
 import genpy
 import numpy as np
 import rosbag
+from wheel_rail_contact.checking.axle import history
+from wheel_rail_contact.checking.bounds import judge, read_limits, sample
 from wheel_rail_contact.command import pyplot
 from wheel_rail_contact.msg import WheelsetContact
-from wheel_rail_contact.report import drawing, histories, marks, positions, pressure, running_band
+from wheel_rail_contact.report import axle, drawing, histories, marks, positions, pressure, running_band
 from wheel_rail_contact.report.command_line import main
 from wheel_rail_contact.report.loops import loop_of, loops
 from wheel_rail_contact.report.results import WHEEL_FIELDS, read, read_full
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "replay"))
-from sweep_case import SweepCase  # noqa: E402  (in the folder of other tests)
+from sweep_case import PACKAGE, SweepCase  # noqa: E402  (in the folder of other tests)
 
 TOPIC = "/contact_node/contact"
 STAMPS = np.array([1.0, 1.5, 2.0, 1.0, 1.5, 0.5])  # of three loops
@@ -153,14 +157,6 @@ class Pictures(SweepCase):
             labels = [axis.get_ylabel() for axis in drawn(histories, histories.histories, *pair).axes]
             self.assertEqual([label for label in labels if "rail" in label], ["rail roll [mrad],\noutward"])
 
-    def test_held_results_are_marked_and_have_no_patches(self):
-        held = self.message(1, WheelsetContact.NOT_CONVERGED, (0,))
-        held.held = True
-        results = self.results([self.message(0), held, self.message(2)])
-        self.assertEqual([(label, chosen.tolist()) for label, _, chosen in marks.marks(results)],
-                         [("refused and held", [False, True, False])])
-        self.assertNotIn(1, results.patches["result"])
-
     def test_lift_off_and_refusals_are_marked_in_every_history(self):
         refused = self.message(3, WheelsetContact.NOT_CONVERGED, ())
         lifted = [self.message(index, WheelsetContact.LIFT_OFF, (0,)) for index in (1, 2)]
@@ -177,7 +173,13 @@ class Pictures(SweepCase):
             np.testing.assert_allclose([(x.min(), x.max()) for x in ends],
                                        results.stamp[0] + step * np.array([[0.5, 2.5], [2.5, 3.5]]), rtol=1e-9)
 
-    def test_pose_of_an_input_rejected_before_the_evaluation_is_not_drawn(self):
+    def test_held_results_are_marked_without_patches_and_the_pose_of_a_rejected_input_is_not_drawn(self):
+        held = self.message(1, WheelsetContact.NOT_CONVERGED, (0,))
+        held.held = True
+        results = self.results([self.message(0), held, self.message(2)])
+        self.assertEqual([(label, chosen.tolist()) for label, _, chosen in marks.marks(results)],
+                         [("refused and held", [False, True, False])])
+        self.assertNotIn(1, results.patches["result"])
         rejected = [WheelsetContact(status=status, header=self.messages[1].header)
                     for status in (WheelsetContact.INVALID_INPUT, WheelsetContact.NO_TRANSFORM, WheelsetContact.INVALID_INPUT)]
         rejected[2].wheelset.orientation.w = 1  # by the evaluation, at the origin
@@ -224,3 +226,25 @@ class Pictures(SweepCase):
         self.assertEqual(row.lines[0][0][0], 470)
         self.assertTrue(np.isnan(row.lines[0][0][1]))
         self.assertEqual(len(row.dots[0][0]), 1, "the other patch of the left wheel")
+
+    def test_limits_of_wheels_and_axle_are_drawn_and_judged_as_by_contact_check(self):
+        table, states, bounds = (self.folder / name for name in ("hunting.csv", "hunting.bag", "bounds.yaml"))
+        for command in (["make_hunting_states", table], ["contact_states", table, states]):
+            subprocess.run([sys.executable, PACKAGE / "scripts" / command[0], *command[1:]], check=True, capture_output=True)
+        bag = self.replay("hunted.bag", PACKAGE / "config" / "default.yaml", states)
+        parameters = {"axle": {"low_pass": 20, "mean_length": 2, "static_load": 100e3, "bounds": {
+            "lateral_force": {"max": 20e3}, "quotient": {"max": 0.1}, "unloading": {"max": 0.6}, "lateral_sum": {"k1": 1}}}}
+        bounds.write_text(str({"nodes": {"other": {"topic": "other"}, "this": {"topic": TOPIC, **parameters}}}))
+        self.run_command(main, bag, "--out", self.folder / "limits", "--limits", bounds)
+        messages, results = list(read_full(bag, TOPIC, set(range(1000))).values()), read(bag)[0]
+        texts, _ = judge(read_limits(parameters), messages)
+        self.assertEqual(list(texts), ["axle_quotient"])
+        self.assertRegex(texts["axle_quotient"], r"^Y/Q 0.104\d+ - is above .*, left wheel, distance = \d+.\d+ m .*no friction")
+        self.assertIn(html.escape(texts["axle_quotient"]), (self.folder / "limits" / "report.html").read_text(encoding="utf-8"))
+        limits = axle.read_limits(bounds, TOPIC)
+        found, live = axle.of_results(limits, results), history(limits, map(sample, messages))
+        np.testing.assert_equal((found.values, found.counts), (live.values, live.counts))
+        drawing_of = drawn(axle, axle._figure, results, limits, found).axes[2]
+        np.testing.assert_array_equal([line.get_ydata() for line in drawing_of.lines[:2]], found.values["quotient"].T)
+        self.assertEqual(drawing_of.lines[2].get_ydata(), [0.1, 0.1])
+        self.assertIn("group axle", self.run_command(main, bag, "--out", self.folder / "none", "--limits", table, status=1))

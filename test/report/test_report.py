@@ -203,13 +203,12 @@ class Report(SweepCase):
         self.assertEqual(error_without_space(2**18, sys.executable, command, self.rigid, "--out", out),
                          f"contact_report: {out}: File too large\n")
 
-    def test_bags_without_results_are_refused(self):
+    def test_bags_without_results_and_those_of_another_version_are_refused(self):
         self.assertIn("0 topics with results", self.report(SWEEP, "--out", self.folder / "none", status=1))
         self.assertIn("none from --from to", self.report(self.rigid, "--from", 99, "--out", self.folder / "none", status=1))
         self.assertIn("No such file", self.report(self.folder / "absent.bag", "--out", self.folder / "none", status=1))
         self.assertFalse((self.folder / "none").exists())
 
-    def test_results_of_another_version_are_refused(self):
         class Other(WheelsetContact):
             _md5sum = "0" * 32
 

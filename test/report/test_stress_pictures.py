@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures of the stress in contact_report: which patches they show, on which surfaces, and what replaces them."""
-import os
 import pathlib
 import subprocess
 import sys
-import tempfile
 import unittest
 from unittest import mock
 
@@ -19,8 +17,9 @@ try:
 except ImportError:
     WheelsetContact = None  # the module is optional in a build
 
-PACKAGE = pathlib.Path(__file__).resolve().parents[2]
-SWEEP = PACKAGE / "bags" / "manchester_sweep.bag"
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "replay"))
+from sweep_case import PACKAGE, SWEEP, SweepCase  # noqa: E402  (in the folder of other tests)
+
 PARAMETERS = f"""\
 rail: {{profile: UIC60_manchester, right: {{profile: 60E1, inclination: 1:20}}}}
 rail_bending: {{model: compliance, table: {PACKAGE / "config" / "rails" / "pads_40_100.yaml"}}}
@@ -47,23 +46,14 @@ def thinned(path):
     return path
 
 
-class StressPictures(unittest.TestCase):
+class StressPictures(SweepCase):
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = pathlib.Path(folder.name)
+        super().setUpClass()
         (cls.folder / "stress.yaml").write_text(PARAMETERS)
-        cls.states = thinned(cls.folder / "states.bag")
-        cls.bag = cls.replay("results.bag")
+        cls.states = cls.folder / "stress.yaml", thinned(cls.folder / "states.bag")
+        cls.bag = cls.replay("results.bag", *cls.states)
         cls.results, cls.topic = read(str(cls.bag))
-
-    @classmethod
-    def replay(cls, name, *options):
-        out = cls.folder / name
-        subprocess.run([os.environ["CONTACT_REPLAY"], cls.states, out, "--config", cls.folder / "stress.yaml", *options],
-                       check=True, capture_output=True)
-        return out
 
     @unittest.skipUnless(WheelsetContact, "needs the Python module")
     def test_each_wheel_has_a_picture_of_its_highest_stress(self):
@@ -80,7 +70,10 @@ class StressPictures(unittest.TestCase):
             self.assertIn(f"{SIDES[side]} wheel and rail", title[1])
             self.assertIn("ν = 0.28 and 0.3", title[2])
 
-    def test_the_chosen_patches_are_the_worst_of_their_wheels(self):
+    def test_the_chosen_patches_are_the_worst_of_their_wheels_and_none_without_stress(self):
+        (self.folder / "none.yaml").write_text("stress: {depths: 0}\n")
+        results, _ = read(str(self.replay("none.bag", *self.states, "--config", self.folder / "none.yaml")))
+        self.assertEqual(stress.worst_patches(results), {})
         worst = stress.worst_patches(self.results)
         self.assertEqual(set(worst), {0, 1})
         with rosbag.Bag(str(self.bag)) as bag:
@@ -112,7 +105,7 @@ class StressPictures(unittest.TestCase):
 
     @unittest.skipUnless(WheelsetContact, "needs the Python module")
     def test_without_grids_a_sentence_replaces_each_picture(self):
-        bag = str(self.replay("no_grids.bag", "--no-grids"))
+        bag = str(self.replay("no_grids.bag", *self.states, "--no-grids"))
         results, topic = read(bag)
         worst = stress.worst_patches(results)
         messages = read_full(bag, topic, {int(results.patches["result"][patch]) for patch in worst.values()})
@@ -124,11 +117,6 @@ class StressPictures(unittest.TestCase):
         printed = subprocess.run([sys.executable, "-c", WITHOUT_MODULE], check=True, stdout=subprocess.PIPE,
                                  universal_newlines=True).stdout
         self.assertRegex(printed, "^The pictures of the stress are left out: the Python module .* was not found.*\n$")
-
-    def test_results_without_stress_have_no_picture(self):
-        (self.folder / "none.yaml").write_text("stress: {depths: 0}\n")
-        results, _ = read(str(self.replay("none.bag", "--config", self.folder / "none.yaml")))
-        self.assertEqual(stress.worst_patches(results), {})
 
     @unittest.skipUnless(WheelsetContact, "needs the Python module")
     def test_poissons_ratios_are_those_of_the_replay(self):

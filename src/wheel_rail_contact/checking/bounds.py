@@ -5,6 +5,9 @@ import operator
 from dataclasses import dataclass, field
 
 from ..message_constants import SIDES, STATUSES, USABLE
+from . import axle_verdict
+from .axle import AxleLimits, Sample, history, read_axle_limits
+from .parameters import BadParameter, bound, broken, group, merged, number, positive, whole_number, yes_or_no
 
 QUANTITIES = {  # of each patch -> unit
     "max_pressure": "Pa",
@@ -25,43 +28,6 @@ QUANTITIES = {  # of each patch -> unit
 OF_CREEP = {"adhesion_share": "creep.adhesion_share", "friction_power": "creep.power"}  # -> place in the message of a patch
 
 
-class BadParameter(ValueError):
-    """Invalid parameter. The message contains its name, its value and the violated rule."""
-
-
-def number(name, value):
-    """A finite number. May be given as a string, because YAML 1.1 reads 2e9 as a string."""
-    try:
-        if isinstance(value, bool):
-            raise ValueError
-        result = float(value)
-        if not math.isfinite(result):
-            raise ValueError
-        return result
-    except (TypeError, ValueError):
-        raise BadParameter(f"{name} = {value!r}: must be a finite number") from None
-
-
-def whole_number(name, value):
-    result = number(name, value)
-    if result < 0 or result != int(result):
-        raise BadParameter(f"{name} = {value!r}: must be a whole number >= 0")
-    return int(result)
-
-
-def seconds(name, value):
-    result = number(name, value)
-    if not result > 0:
-        raise BadParameter(f"{name} = {value!r}: must be a number of seconds > 0")
-    return result
-
-
-def yes_or_no(name, value):
-    if not isinstance(value, bool):
-        raise BadParameter(f"{name} = {value!r}: must be true or false")
-    return value
-
-
 @dataclass
 class Limits:
     """Requirements for the results. The names of the fields are those of the parameters."""
@@ -75,10 +41,12 @@ class Limits:
     patience: float = 60.0        # maximum wall time until the first result [s]
     idle: float = 3.0             # wall time without a result after which the run is considered finished [s]
     bounds: dict = field(default_factory=dict)  # name in QUANTITIES -> (min, max)
+    axle: AxleLimits = None  # limits of wheels and axle
 
 
 PARSERS = {"results": whole_number, "refusals": whole_number, "lift_offs": whole_number, "least_load": number,
-           "implausible_forces": whole_number, "flange_contact": yes_or_no, "flange_angle": number, "patience": seconds, "idle": seconds}
+           "implausible_forces": whole_number, "flange_contact": yes_or_no, "flange_angle": number, "patience": positive,
+           "idle": positive}
 
 
 def read_limits(parameters):
@@ -86,41 +54,57 @@ def read_limits(parameters):
     limits = Limits()
     for name, value in parameters.items():
         if name == "bounds":
-            limits.bounds = _read_bounds(value)
+            limits.bounds = {quantity: bound(f"bounds/{quantity}", ends)
+                             for quantity, ends in group("bounds", value, QUANTITIES).items()}
+        elif name == "axle":
+            limits.axle = read_axle_limits(value)
         elif name in PARSERS:
             setattr(limits, name, PARSERS[name](name, value))
         else:
             raise BadParameter(f"{name} = {value!r}: unknown parameter; valid names are "
-                               + ", ".join([*PARSERS, "bounds"]))
+                               + ", ".join([*PARSERS, "bounds", "axle", "nodes"]))
     return limits
 
 
-def _read_bounds(groups):
-    if not isinstance(groups, dict):
-        raise BadParameter(f"bounds = {groups!r}: must be a group of quantities")
-    bounds = {}
-    for quantity, ends in groups.items():
-        name = f"bounds/{quantity}"
-        if quantity not in QUANTITIES:
-            raise BadParameter(f"{name}: unknown quantity; valid names are {', '.join(QUANTITIES)}")
-        if not isinstance(ends, dict) or not ends or not set(ends) <= {"min", "max"}:
-            raise BadParameter(f"{name} = {ends!r}: must contain min, max or both, and nothing else")
-        low = number(name + "/min", ends.get("min", -1e300))
-        high = number(name + "/max", ends.get("max", 1e300))
-        if low > high:
-            raise BadParameter(f"{name}: min = {low:g} must not be above max = {high:g}")
-        bounds[quantity] = (low, high)
-    return bounds
+def read_nodes(parameters):
+    """Topic and Limits of each node to check, by its name; without the group nodes one without a name."""
+    common = {name: value for name, value in parameters.items() if name != "nodes"}
+    if "nodes" not in parameters:
+        return {"": ("contact", read_limits(common))}
+    nodes = parameters["nodes"]
+    if not isinstance(nodes, dict) or not nodes or not all(isinstance(own, dict) and isinstance(own.get("topic"), str) and
+                                                           str(name).isidentifier() for name, own in nodes.items()):
+        raise BadParameter(f"nodes = {nodes!r}: must be a group of names, each with the topic of its results")
+    return {name: (own["topic"], read_limits(merged(common, {key: value for key, value in own.items() if key != "topic"})))
+            for name, own in nodes.items()}
 
 
 def check_names(limits):
     """Names of the checks. Each one is a test of the rostest."""
     flange = [] if limits.flange_contact else ["flange_contact"]
-    return ["results", "refusals", "lift_offs", "loads", "implausible_forces", *flange, *limits.bounds]
+    of_axle = [f"axle_{name}" for name in limits.axle.bounds] if limits.axle else []
+    return ["results", "refusals", "lift_offs", "loads", "implausible_forces", *flange, *limits.bounds, *of_axle]
 
 
-def violation(check, limits, results):
-    """Violation of a check by the results, as text; empty if there is none."""
+def judge(limits, results):
+    """Violations by the results, as texts by the name of the check, and remarks on what was not compared."""
+    of_axle = history(limits.axle, map(sample, results)) if limits.axle else None
+    found = {check: axle_verdict.violation(check[len("axle_"):], limits.axle, of_axle) if check.startswith("axle_")
+             else _violation(check, limits, results) for check in check_names(limits)}
+    return ({check: text for check, text in found.items() if text},
+            axle_verdict.remarks(limits.axle, of_axle) if limits.axle else [])
+
+
+def sample(result):
+    """What a message contributes to the quantities of wheels and axle."""
+    wheels = result.left_wheel, result.right_wheel
+    return Sample(result.header.stamp.to_sec(), result.wheelset.position.x, result.distance,
+                       [wheel.lateral_force for wheel in wheels], [wheel.vertical_force for wheel in wheels],
+                       [wheel.friction_lateral_force for wheel in wheels], result.status in USABLE and not result.held)
+
+
+def _violation(check, limits, results):
+    """Violation of a check of results and patches, as text; empty if there is none."""
     if check == "results":
         return _too_few(limits, results)
     if check == "refusals":
@@ -175,9 +159,6 @@ def _outside(quantity, is_inside, low, high, results, prefix):
     if not outside:
         return ""
     value, result, patch = max(outside, key=lambda entry: max(low - entry[0], entry[0] - high))
-    unit = QUANTITIES[quantity]
-    end = (f"below {low:g}" if value < low else f"not above {low:g}" if value == low
-           else f"not below {high:g}" if value == high else f"above {high:g}")
-    return (f"{prefix}{quantity} {value:.6g} {unit} is {end} {unit} {_when(result)}, "
+    return (f"{prefix}{broken(quantity, value, low, high, QUANTITIES[quantity])} {_when(result)}, "
             f"{SIDES[patch.side]} wheel, y = {1e3 * result.wheelset.position.y:.4g} mm "
             f"({len(outside)} of {len(patches)} patches are outside; this is the worst)")

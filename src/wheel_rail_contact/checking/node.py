@@ -9,48 +9,56 @@ import rostest
 from wheel_rail_contact.msg import WheelsetContact
 
 from ..dropped_inputs import DroppedInputs
-from .bounds import BadParameter, check_names, violation, read_limits
+from .bounds import check_names, judge, read_nodes
+from .parameters import BadParameter
 
 NAME = "contact_check"
 
 
-def collect(limits, topic="contact"):
-    """Results received until none has been received for limits.idle seconds. Their grids are removed."""
-    results = []
+def collect(nodes):
+    """Results by the name of the node, received until none has been received for the time idle. Their grids are removed."""
+    results = {name: [] for name in nodes}
+    first = next(iter(nodes.values()))[1]
     last = [time.monotonic()]
 
-    def receive(result):
+    def receive(result, name):
         for patch in result.patches:
             patch.grid.pressure = patch.creep.traction_x = patch.creep.traction_y = ()
-        results.append(result)
+        results[name].append(result)
         last[0] = time.monotonic()
 
-    subscriber = rospy.Subscriber(topic, WheelsetContact, receive, queue_size=1000, tcp_nodelay=True)
-    dropped = DroppedInputs(topic)
-    while not rospy.is_shutdown() and time.monotonic() - last[0] < (limits.idle if results else limits.patience):
+    subscribers = [rospy.Subscriber(topic, WheelsetContact, receive, name, queue_size=1000, tcp_nodelay=True)
+                   for name, (topic, _) in nodes.items()]
+    dropped = [DroppedInputs(topic) for topic, _ in nodes.values()]
+    while not rospy.is_shutdown() and time.monotonic() - last[0] < (first.idle if any(results.values()) else first.patience):
         time.sleep(0.02)
-    subscriber.unregister()
-    if text := dropped.text():
+    for subscriber in subscribers:
+        subscriber.unregister()
+    for text in filter(None, (one.text() for one in dropped)):
         print(text, flush=True)
     return results
 
 
-def case_for(limits):
-    """A test case with one test per check."""
+def case_for(nodes):
+    """A test case with one test per node and check."""
 
     class ContactCheck(unittest.TestCase):
         longMessage = False
 
         @classmethod
         def setUpClass(cls):
-            cls.results = collect(limits)
+            cls.violations = {}
+            for name, results in collect(nodes).items():
+                cls.violations[name], remarks = judge(nodes[name][1], results)
+                for remark in remarks:
+                    print(f"{NAME}{f' of {name}' if name else ''}: {remark}", flush=True)
 
-    for name in check_names(limits):
-        def test(self, name=name):
-            reason = violation(name, limits, self.results)
-            if reason:
-                self.fail(reason)
-        setattr(ContactCheck, f"test_{name}", test)
+    for name, (_, limits) in nodes.items():
+        for check in check_names(limits):
+            def test(self, name=name, check=check):
+                if check in self.violations[name]:
+                    self.fail(self.violations[name][check])
+            setattr(ContactCheck, f"test_{name}_{check}" if name else f"test_{check}", test)
     return ContactCheck
 
 
@@ -68,7 +76,7 @@ def main():
     """Runs the rostest node."""
     rospy.init_node(NAME)
     try:
-        case = case_for(read_limits(rospy.get_param("~", {})))
+        case = case_for(read_nodes(rospy.get_param("~", {})))
     except BadParameter as error:
         case = failing_case(f"parameter {rospy.get_name()}/{error}")
     rostest.rosrun("wheel_rail_contact", NAME, case, sys.argv)

@@ -6,7 +6,7 @@ import numpy as np
 
 from ..arguments import Parser
 from ..command import finish, output_folder, pyplot, writing
-from . import along_line, errors, histories, page, positions, pressure, running_band, stress
+from . import along_line, axle, errors, histories, page, positions, pressure, running_band, stress
 from .loops import loop_of
 from .results import read, read_full
 
@@ -24,6 +24,8 @@ def _parser():
     parser.add_argument("--from", dest="begin", type=float, default=-np.inf, metavar="S",
                         help="first time that is read [s] (default: all)")
     parser.add_argument("--to", dest="end", type=float, default=np.inf, metavar="S", help="last time that is read [s]")
+    parser.add_argument("--limits", metavar="YAML",
+                        help="parameter file of contact_check; its limits of wheels and axle (group axle) are drawn and judged")
     parser.add_argument("--at", type=float, nargs="+", default=[], metavar="S",
                         help="times [s]; the pressure of the nearest results is shown")
     return parser
@@ -61,16 +63,19 @@ def make_report(options):
     span = options.begin, options.end
     results, topic = read(options.bag, options.wheelset, span)
     other = read(options.compare, options.wheelset, span)[0] if options.compare else None
+    limits = axle.read_limits(options.limits, topic) if options.limits else None
     out = pathlib.Path(options.out)
     output_folder(out)
     with writing(out):
-        _write(out, options, results, topic, other)
+        _write(out, options, results, topic, other, limits)
     print(out / "report.html")
 
 
-def _write(out, options, results, topic, other):
+def _write(out, options, results, topic, other, limits):
     picture, left_out = histories.histories(results, other, out / "histories.png")
     pictures = [("Histories", [picture, *([f"Zero throughout, and not drawn: {'; '.join(left_out)}."] if left_out else [])])]
+    if limits:
+        pictures.append(("Limits of wheels and axle", axle.items(results, limits, out / "limits.png")))
     if along_line.travels(results):
         pictures.append(("Along the line", along_line.figures(results, out)))
     if len(results.patches["result"]):

@@ -104,6 +104,12 @@ def _time_origin(results):
     return np.floor(results.stamp.min()) if results.stamp.min() > FAR else 0.0
 
 
+def time_axis(results):
+    """Times that are drawn [s], and the label of their axis."""
+    origin = _time_origin(results)
+    return results.stamp - origin, f"time [s], from {origin:.0f} s" if origin else "time [s]"
+
+
 def _draw_row(axis, row, results, origin, dashed=False):
     time = results.stamp - origin
     for values, _, colour in row.lines:
@@ -158,7 +164,7 @@ def histories(results, other, path):
     marks.draw(axes, results.stamp - origin, results)
     marks.legend(axes[0], results, entries)
     _draw_title(picture, results)
-    axes[-1].set_xlabel(f"time [s], from {origin:.0f} s" if origin else "time [s]")
+    axes[-1].set_xlabel(time_axis(results)[1])
     if np.ptp(results.stamp) > 0:
         axes[-1].set_xlim(results.stamp.min() - origin, results.stamp.max() - origin)
     picture.align_ylabels(axes)
