@@ -170,83 +170,83 @@ TEST(Parameters, RailNamesAreFoundWhenRosReadsThemAsNumbers)
 // Wrong types, numbers that are not finite, and -1 follow below, for every parameter.
 TEST(Parameters, EachInvalidValueIsRefusedWithItsName)
 {
-  const std::vector<Mistake> mistakes{
-      {"track: {gauge: 0}", "track/gauge", "0"},
-      {"track: {gauge: 1.435m}", "track/gauge", "1.435m"},
-      {"track: {gauge: '1.435 '}", "track/gauge", "1.435 "},
-      {"track: {gauge: 0x10}", "track/gauge", "0x10"},
-      {"track: {gauge: 1e400}", "track/gauge", "1e400"},
-      {"track: {gauge: ''}", "track/gauge", "\"\""},
-      {"track: {gauge: [1.435]}", "track/gauge", "[1.435]"},
-      {"track: {gauge: }", "track/gauge", "no value"},
-      {"track: {rail_inclination: 1.4}", "track/rail_inclination", "1.4"},
-      {"track: {frame: /track}", "track/frame", "/track"},
-      {"track: {frame: ''}", "track/frame", "\"\""},
-      {"track: {displacement: pose}", "track/displacement", "none, topic"},
-      {"track: {displacement: true}", "track/displacement", "true"},
-      {"track: {displacement: {lateral: 0.001}}", "track/displacement/lateral", "unknown"},
-      {"track: {distance: none}", "track/distance", "pose, topic"},
-      {"track: {distance: 12.5}", "track/distance", "12.5"},
-      {"track: {gage: 1.435}", "track/gage", "track/gauge"},
-      {"track: 1.435", "track", "unknown"},
-      {"wheelset: {rolling_radius: 0}", "wheelset/rolling_radius", "0"},
-      {"wheelset: {free: [z]}", "wheelset/free", "[z]"},
-      {"wheelset: {free: z}", "wheelset/free", "z"},
-      {"wheelset: {free: [z, roll, y]}", "wheelset/free", "[z, roll, y]"},
-      {"wheelset: {free: [[z], roll]}", "wheelset/free", "[[z], roll]"},
-      {"wheel: {profile: S1001}", "wheel/profile", "S1001"},
-      {"wheel: {profile: 60E1}", "wheel/profile", "60E1"},
-      {"wheel: {profile: ''}", "wheel/profile", ""},
-      {"wheel: {profile: missing.prw}", "wheel/profile", "missing.prw"},
-      {"rail: {profile: package://no_such_package/rail.prr}", "rail/profile", "no_such_package"},
-      {"rail: {profile: package://wheel_rail_contact/no.prr}", "rail/profile", "no.prr"},
-      {"rail: {profile: /nowhere/rail.prr}", "rail/profile", "/nowhere/rail.prr"},
-      {"wheel: {profile: /nowhere/wheel.csv}", "wheel/profile = /nowhere/wheel.csv: no such file", "wheel.csv"},
-      {"material: {wheel: {young: -2.1e11}}", "material/wheel/young", "-2"},
-      {"material: {rail: {young: 0}}", "material/rail/young", "0"},
-      {"material: {rail: {young: 210000}}", "material/rail/young = 210000", "from 1e9 to 1e13, in Pa"},
-      {"material: {wheel: {yield: 500}}", "material/wheel/yield = 500", "0, or from 1e6 to 1e13, in Pa"},
-      {"material: {rail: {poisson: 0.6}}", "material/rail/poisson", "0.6"},
-      {"material: {wheel: {poisson: -1}}", "material/wheel/poisson", "-1"},
-      {"stress: {depths: 3}", "stress/depths", "3"},
-      {"stress: {depths: 4.5}", "stress/depths", "4.5"},
-      {"stress: {field: true}", "stress/depths", "0"},
-      {"material: {axle: {young: 1}}", "material/axle/young", "material/wheel/young"},
-      {"rail_bending: {model: beam}", "rail_bending/model", "beam"},
-      {"rail_bending: {model: 1}", "rail_bending/model", "1"},
-      {"rail_bending: {model: compliance}", "rail_bending/table", "file"},
-      {"rail_bending: {model: compliance, table: missing.yaml}", "rail_bending/table", "missing.yaml"},
-      {"rail_bending: {lateral_force: sometimes}", "rail_bending/lateral_force", "sometimes"},
-      {"rail_bending: {model: prescribed, prescribed: {lateral: 2}}", "rail_bending/prescribed/lateral", "2"},
-      {"rail_bending: {prescribed: {roll: 1}}", "rail_bending/prescribed/roll", "1"},
-      {"rail_bending: {neighbours: 3}", "rail_bending/neighbours", "3"},
-      {"rail_bending: {neighbours: [{topic: /front, distance: 2.5}]}", "rail_bending/neighbours", "/front"},
-      {"rail_bending: {neighbours: [{topic: /front}]}", "rail_bending/neighbours/distance", "missing"},
-      {"rail_bending: {neighbours: [{distance: 2.5}]}", "rail_bending/neighbours/topic", "missing"},
-      {"rail_bending: {neighbours: [{topic: a b, distance: 2.5}]}", "rail_bending/neighbours/topic", "a b"},
-      {"rail_bending: {neighbours: [{topic: ~contact, distance: 2.5}]}", "rail_bending/neighbours/topic", "~contact"},
-      {"rail_bending: {neighbours: [{topic: front, distance: -2.5}]}", "rail_bending/neighbours/distance", "-2.5"},
-      {"rail_bending: {neighbours: [{topic: front, distance: 2.5, gap: 1}]}", "rail_bending/neighbours/gap", "topic"},
-      {"rail_bending: {neighbours: [{topic: f, distance: 2.5}, {topic: f, distance: 1.8}]}",
-       "rail_bending/neighbours/topic", "once"},
-      {"rail_bending: {model: compliance, table: config/rails/pads_40_100.yaml, "
-       "neighbours: [{topic: front, distance: 3}]}",
-       "rail_bending/neighbours/distance", "1.8 m to 2.5 m"},
-      {"rail_bending: {model: compliance, table: config/rails/paper.yaml, neighbours: [{topic: front, distance: 2.5}]}",
-       "rail_bending/neighbours/distance", "the table has none"},
-      {"contact: {method: magic}", "contact/method",
-       "auto, hertz, kik_piotrowski, seidel, seidel_printed, conjugate_gradient"},
-      {"contact: {tolerance: 0}", "contact/tolerance", "0"},
-      {"contact: {tolerance: 2}", "contact/tolerance", "2"},
-      {"contact: {grid: {along: 16}}", "contact/grid", "0"},
-      {"contact: {grid: {along: 16.5, across: 16}}", "contact/grid/along", "16.5"},
-      {"contact: {grid: {along: 16, across: -16}}", "contact/grid/across", "-16"},
-      {"contact: {grid: {along: 1e9, across: 16}}", "contact/grid/along", "1e9"},
-      {"markers: {rate: 0}", "markers/rate", "0"},
-      {"markers: {rail_length: 0}", "markers/rail_length", "0"},
-      {"gauge: 1.435", "gauge", "unknown"},
-  };
-  expectRefused(mistakes);
+  expectValuesRefused(R"(
+      track/gauge: 0 | 1.435m | '1.435 ' | 0x10 | 1e400 | [1.435]
+      track/frame: /track
+      track/displacement: true
+      track/distance: 12.5
+      wheelset/rolling_radius: 0
+      wheelset/free: [z] | z | [z, roll, y] | [[z], roll]
+      wheel/profile: S1001 | 60E1 | missing.prw
+      rail/profile: package://no_such_package/a.prr | package://wheel_rail_contact/no.prr | /nowhere/a.prr
+      material/wheel/young: -2
+      material/rail/young: 0
+      material/rail/poisson: 0.6
+      material/wheel/poisson: -1
+      stress/depths: 3 | 4.5
+      rail_bending/model: beam | 1
+      rail_bending/lateral_force: sometimes
+      rail_bending/prescribed/roll: 1
+      rail_bending/neighbours: 3
+      contact/tolerance: 0 | 2
+      markers/rate: 0
+      markers/rail_length: 0
+      sync/slop: -0.001 | 1e9
+      sync/longest_gap: 61
+      wheel/left/profile: S1001
+      wheel/right/profile: 60E1 | missing.prw
+      wheel/left/rolling_radius: -0.46
+      wheel/left/material/young: 0
+      rail/right/material/poisson: 0.6
+      rail/right/inclination: 0.3 | '1:0'
+      rail/left/inclination: flat
+  )");
+  expectRefused(
+      {{"track: {gauge: ''}", "track/gauge", "\"\""},
+       {"track: {gauge: }", "track/gauge", "no value"},
+       {"track: {frame: ''}", "track/frame", "\"\""},
+       {"track: {displacement: pose}", "track/displacement", "none, topic"},
+       {"track: {displacement: {lateral: 0.001}}", "track/displacement/lateral", "unknown"},
+       {"track: {distance: none}", "track/distance", "pose, topic"},
+       {"track: {gage: 1.435}", "track/gage", "track/gauge"},
+       {"track: 1.435", "track", "unknown"},
+       {"wheel: {profile: ''}", "wheel/profile", ""},
+       {"wheel: {profile: /nowhere/wheel.csv}", "wheel/profile = /nowhere/wheel.csv: no such file", "wheel.csv"},
+       {"material: {rail: {young: 210000}}", "material/rail/young = 210000", "from 1e9 to 1e13, in Pa"},
+       {"material: {wheel: {yield: 500}}", "material/wheel/yield = 500", "0, or from 1e6 to 1e13, in Pa"},
+       {"stress: {field: true}", "stress/depths", "0"},
+       {"material: {axle: {young: 1}}", "material/axle/young", "material/wheel/young"},
+       {"rail_bending: {model: compliance}", "rail_bending/table", "file"},
+       {"rail_bending: {model: compliance, table: missing.yaml}", "rail_bending/table", "missing.yaml"},
+       {"rail_bending: {model: prescribed, prescribed: {lateral: 2}}", "rail_bending/prescribed/lateral", "2"},
+       {"rail_bending: {neighbours: [{topic: /front, distance: 2.5}]}", "rail_bending/neighbours", "/front"},
+       {"rail_bending: {neighbours: [{topic: /front}]}", "rail_bending/neighbours/distance", "missing"},
+       {"rail_bending: {neighbours: [{distance: 2.5}]}", "rail_bending/neighbours/topic", "missing"},
+       {"rail_bending: {neighbours: [{topic: a b, distance: 2.5}]}", "rail_bending/neighbours/topic", "a b"},
+       {"rail_bending: {neighbours: [{topic: ~contact, distance: 2.5}]}", "rail_bending/neighbours/topic", "~contact"},
+       {"rail_bending: {neighbours: [{topic: front, distance: -2.5}]}", "rail_bending/neighbours/distance", "-2.5"},
+       {"rail_bending: {neighbours: [{topic: front, distance: 2.5, gap: 1}]}", "rail_bending/neighbours/gap", "topic"},
+       {"rail_bending: {neighbours: [{topic: f, distance: 2.5}, {topic: f, distance: 1.8}]}",
+        "rail_bending/neighbours/topic", "once"},
+       {"rail_bending: {model: compliance, table: config/rails/pads_40_100.yaml, "
+        "neighbours: [{topic: front, distance: 3}]}",
+        "rail_bending/neighbours/distance", "1.8 m to 2.5 m"},
+       {"rail_bending: {model: compliance, table: config/rails/paper.yaml, neighbours: [{topic: front, distance: "
+        "2.5}]}",
+        "rail_bending/neighbours/distance", "the table has none"},
+       {"contact: {method: magic}", "contact/method",
+        "auto, hertz, kik_piotrowski, seidel, seidel_printed, conjugate_gradient"},
+       {"contact: {grid: {along: 16}}", "contact/grid", "0"},
+       {"contact: {grid: {along: 16.5, across: 16}}", "contact/grid/along", "16.5"},
+       {"contact: {grid: {along: 16, across: -16}}", "contact/grid/across", "-16"},
+       {"contact: {grid: {along: 1e9, across: 16}}", "contact/grid/along", "1e9"},
+       {"gauge: 1.435", "gauge", "unknown"},
+       {"track: {cant: 0.025}", "track/cant = 0.025", "track/rail_inclination"},
+       {"track: {cant: 0.025, rail_inclination: 0.025}", "track/cant = 0.025", "track/rail_inclination"},
+       {"sync: {load: nearest}", "sync/load = nearest", "match, interpolate"},
+       {"sync: {longest_gap: 0}", "sync/longest_gap", "above 0"},
+       {"{sync: {load: interpolate}, wheelset: {free: []}}", "sync/load = interpolate",
+        "must be match if wheelset/free is [], because no load is read then"}});
 }
 
 TEST(Parameters, EveryParameterRefusesAWrongTypeAndEveryNumberANonFiniteValue)
@@ -348,21 +348,8 @@ TEST(Parameters, TableIsFoundByPackageByDirectoryAndInThisPackage)
   }
 }
 
-TEST(Parameters, MistakesInTheInterpolationOfLoadsAreRefusedByTheirName)
-{
-  expectRefused({
-      {"sync: {slop: -0.001}", "sync/slop", "-0.001"},
-      {"sync: {slop: 1e9}", "sync/slop", "1e9"},
-      {"sync: {load: nearest}", "sync/load = nearest", "match, interpolate"},
-      {"sync: {longest_gap: 0}", "sync/longest_gap", "above 0"},
-      {"sync: {longest_gap: 61}", "sync/longest_gap", "61"},
-  });
-}
-
 TEST(Parameters, InterpolationRequiresALoad)
 {
-  expectRefused({{"{sync: {load: interpolate}, wheelset: {free: []}}", "sync/load = interpolate",
-                  "must be match if wheelset/free is [], because no load is read then"}});
   EXPECT_FALSE(read(with("{sync: {load: match}, wheelset: {free: []}}")).interpolate_load);
   EXPECT_TRUE(read(with("{sync: {load: interpolate}, wheelset: {free: [z, roll]}}")).interpolate_load);
 }

@@ -7,33 +7,18 @@ using namespace wheel_rail_contact;
 // Options of profile files: profile: {file, unit, y, z, origin, shift, rotate, mirror, smoothing}.
 namespace
 {
-/// Writes points of a profile [m], after a change, without titles.
-void writePoints(const std::string& name, const core::Profile& profile,
-                 const std::function<void(double&, double&)>& change)
-{
-  std::ofstream file(testing::TempDir() + name);
-  file.precision(12);
-  for (int i = 0; i <= 400; ++i)
-  {
-    const core::CurvePoint p = profile.at(profile.length() * i / 400);
-    double y = p.y, z = p.z;
-    change(y, z);
-    file << y << " " << z << "\n";
-  }
-}
-
 class ProfileParameters : public testing::Test
 {
  protected:
   ProfileParameters()
   {
-    writePoints("down.txt", core::s1002Wheel(),
+    writePoints("down.txt", core::s1002Wheel(), "",
                 [](double& y, double& z)
                 {
                   y *= -1e3;
                   z *= -1e3;
                 });
-    writePoints("back.txt", core::s1002Wheel(),
+    writePoints("back.txt", core::s1002Wheel(), "",
                 [](double& y, double& z)
                 {
                   y += 0.07;
@@ -53,7 +38,7 @@ TEST_F(ProfileParameters, TellWhatAFileDoesNotState)
 
 TEST_F(ProfileParameters, WarnOfARailThatIsInclinedTwice)
 {
-  writePoints("inclined.txt", core::rail60E1(),
+  writePoints("inclined.txt", core::rail60E1(), "",
               [](double& y, double& z)
               {
                 const double before = y;
@@ -100,24 +85,20 @@ TEST_F(ProfileParameters, OfOneSideLeaveTheOtherAsItIs)
 
 TEST_F(ProfileParameters, MistakesAreNamed)
 {
-  const std::pair<const char*, const char*> mistakes[] = {
-      {"wheel: {profile: {file: down.txt}}", "does not state its unit, y, z"},
-      {"wheel: {profile: {file: down.txt, unit: furlong}}", "wheel/profile/unit"},
-      {"wheel: {profile: {file: down.txt, y: left}}", "wheel/profile/y"},
-      {"wheel: {profile: {file: down.txt, z: 1}}", "wheel/profile/z"},
-      {"wheel: {profile: {file: down.txt, origin: centre}}", "wheel/profile/origin"},
-      {"wheel: {profile: {file: down.txt, shift: {y: 70}}}", "wheel/profile/shift/y"},
-      {"wheel: {profile: {file: down.txt, smoothing: 5e-6}}", "wheel/profile/smoothing"},
-      {"wheel: {profile: {file: down.txt, smoothing: 200}}", "from 0.01 to 100 [um]"},
-      {"wheel: {profile: {file: down.txt, units: mm}}", "wheel/profile/units"},
-      {"wheel: {profile: {unit: mm}}", "wheel/profile/file"},
-      {"wheel: {profile: {file: S1002, smoothing: 5}}", "apply to files"},
-      {"rail: {profile: {sections: [{x: 0, file: a.csv}], origin: foot}}", "rail/profile/origin"}};
-  for (const auto& [yaml, part] : mistakes)
-  {
-    const std::string text = refusal(with(yaml));
-    EXPECT_NE(text.find(part), std::string::npos) << yaml << ": " << text;
-  }
+  expectRefused({
+      {"wheel: {profile: {file: down.txt}}", "wheel/profile", "does not state its unit, y, z"},
+      {"wheel: {profile: {file: down.txt, unit: furlong}}", "wheel/profile/unit", "furlong"},
+      {"wheel: {profile: {file: down.txt, y: left}}", "wheel/profile/y", "left"},
+      {"wheel: {profile: {file: down.txt, z: 1}}", "wheel/profile/z", "1"},
+      {"wheel: {profile: {file: down.txt, origin: centre}}", "wheel/profile/origin", "centre"},
+      {"wheel: {profile: {file: down.txt, shift: {y: 70}}}", "wheel/profile/shift/y", "70"},
+      {"wheel: {profile: {file: down.txt, smoothing: 5e-6}}", "wheel/profile/smoothing", "5e-6"},
+      {"wheel: {profile: {file: down.txt, smoothing: 200}}", "wheel/profile/smoothing", "from 0.01 to 100 [um]"},
+      {"wheel: {profile: {file: down.txt, units: mm}}", "wheel/profile/units", "unknown"},
+      {"wheel: {profile: {unit: mm}}", "wheel/profile/file", "missing"},
+      {"wheel: {profile: {file: S1002, smoothing: 5}}", "wheel/profile/file", "apply to files"},
+      {"rail: {profile: {sections: [{x: 0, file: a.csv}], origin: foot}}", "rail/profile/origin", ""},
+  });
 }
 
 // Parameters of rails whose profile changes along the line.

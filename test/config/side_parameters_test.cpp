@@ -14,33 +14,20 @@ NodeConfig readText(const std::string& yaml)
   return read(parameterTree(YAML::Load(yaml)));
 }
 
-/// Points of a profile [m]. `mirror`: with the sign of y changed.
-std::string csv(const core::Profile& profile, bool mirror)
-{
-  std::string text = "y_m,z_m\n";
-  for (int i = 0; i <= 400; ++i)
-  {
-    const core::CurvePoint p = profile.at(profile.length() * i / 400);
-    text += std::to_string(mirror ? -p.y : p.y) + "," + std::to_string(p.z) + "\n";
-  }
-  return text;
-}
-
 /// Files wheel.csv and, with the sign of y changed, mirrored.csv, in the folder that read() takes for relative names.
 class ProfileGroup : public testing::Test
 {
  protected:
   ProfileGroup()
   {
-    std::ofstream(testing::TempDir() + "wheel.csv") << csv(core::s1002Wheel(), false);
-    std::ofstream(testing::TempDir() + "mirrored.csv") << csv(core::s1002Wheel(), true);
+    writePoints("wheel.csv", core::s1002Wheel(), "y_m,z_m\n");
+    writePoints("mirrored.csv", core::s1002Wheel(), "y_m,z_m\n", [](double& y, double&) { y = -y; });
   }
 
   static void expectWheel(const core::Profile& profile, const char* name)
   {
     EXPECT_EQ(profile.name(), name);
-    // The file has whole micrometres; the smoothing of this rounding moves its end by a part of one.
-    EXPECT_NEAR(profile.at(0).y, -0.070, 1e-6) << "the flange back comes first";
+    EXPECT_NEAR(profile.at(0).y, -0.070, 1e-9) << "the flange back comes first";
   }
 };
 }  // namespace
@@ -198,21 +185,12 @@ TEST_F(ProfileGroup, MistakesAreRefusedByTheirName)
 TEST(SideParameters, MistakesAreRefusedByTheirName)
 {
   expectRefused({
-      {"wheel: {left: {profile: S1001}}", "wheel/left/profile", "S1001"},
-      {"wheel: {right: {profile: 60E1}}", "wheel/right/profile", "60E1"},
       {"wheel: {right: {profile: ''}}", "wheel/right/profile", ""},
-      {"wheel: {right: {profile: missing.prw}}", "wheel/right/profile", "missing.prw"},
       {"wheel: {right: S1002}", "wheel/right", "unknown"},
       {"wheel: {middle: {profile: S1002}}", "wheel/middle/profile", "unknown"},
       {"wheel: {left: {radius: 0.46}}", "wheel/left/radius", "wheel/left/rolling_radius"},
       {"wheel: {left: {inclination: 1:40}}", "wheel/left/inclination", "unknown"},
-      {"wheel: {left: {rolling_radius: -0.46}}", "wheel/left/rolling_radius", "-0.46"},
-      {"wheel: {left: {material: {young: 0}}}", "wheel/left/material/young", "0"},
       {"wheel: {left: {material: steel}}", "wheel/left/material", "unknown"},
-      {"rail: {right: {material: {poisson: 0.6}}}", "rail/right/material/poisson", "0.6"},
-      {"rail: {right: {inclination: 0.3}}", "rail/right/inclination", "0.3"},
-      {"rail: {right: {inclination: '1:0'}}", "rail/right/inclination", "1:0"},
-      {"rail: {left: {inclination: flat}}", "rail/left/inclination", "flat"},
       {"rail: {left: {rolling_radius: 0.46}}", "rail/left/rolling_radius", "unknown"},
       {"{rail: {left: {table: none.yaml}}, rail_bending: {model: compliance, table: config/rails/pads_40_100.yaml}}",
        "rail/left/table", "none.yaml"},

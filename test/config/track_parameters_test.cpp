@@ -63,16 +63,6 @@ TEST(RailInclination, InvalidValueIsRefused)
   }
 }
 
-TEST(RailInclination, FormerNameIsRefusedWithTheNewName)
-{
-  for (const char* yaml : {"track: {cant: 0.025}", "track: {cant: 0.025, rail_inclination: 0.025}"})
-  {
-    const std::string message = refusal(with(yaml));
-    EXPECT_TRUE(contains(message, "/contact_node/track/cant = 0.025") && contains(message, "track/rail_inclination"))
-        << yaml << "\n  gave: " << message;
-  }
-}
-
 // The parameter track/line.
 namespace
 {
@@ -90,12 +80,6 @@ class LineParameter : public testing::Test
   static double leftAtBegin(const std::string& track)
   {
     return 1e3 * read(track).model.track.line->at(0).rail.left.lateral;
-  }
-
-  static void expectRefused(const std::string& track, const std::string& message)
-  {
-    const std::string refused = refusal(with("track: {" + track + "}"));
-    EXPECT_TRUE(contains(refused, message)) << track << "\n  gave: " << refused;
   }
 };
 
@@ -117,31 +101,26 @@ TEST_F(LineParameter, LineIsAFileOrAGroupWithItsAxesOrNone)
 TEST_F(LineParameter, GaugeOfTheFileIsComparedWithTheNominalGauge)
 {
   EXPECT_NEAR(leftAtBegin("gauge: 1.431, line: line.csv"), 5 + 2, rounding);
-  expectRefused("gauge: 1.0, line: line.csv", "line.csv:2: gauge = 1.441000 m: must be the whole gauge");
+  expectRefused(
+      {{"track: {gauge: 1.0, line: line.csv}", "track/line", "line.csv:2: gauge = 1.441000 m: must be the whole"}});
 }
 
 TEST_F(LineParameter, MistakesAreRefusedWithTheNameOfTheParameter)
 {
-  expectRefused("line: missing.csv", "/contact_node/track/line = missing.csv: ");
-  expectRefused("line: .", "/contact_node/track/line = .: ");
-  expectRefused("line: [line.csv]", "/contact_node/track/line");
-  expectRefused("line: wrong.csv", "/contact_node/track/line = wrong.csv: ");
-  expectRefused("line: wrong.csv", "wrong.csv:2: column 'cant_left': unknown quantity");
-  expectRefused("line: {file: missing.csv}", "/contact_node/track/line/file = missing.csv: ");
-  expectRefused("line: {axes: railway}", "/contact_node/track/line/file is missing");
-  expectRefused("line: {file: line.csv, axes: down}", "/contact_node/track/line/axes = down");
-  expectRefused("line: {file: line.csv, axes: down}", "rep103, railway");
-  expectRefused("line: {file: line.csv, longest_gap: 0}", "/contact_node/track/line/longest_gap = 0");
-  expectRefused("line: {file: line.csv, repeat: true}", "line.csv: repeat: a step of -0.005 in rail_lateral_left (SI");
-  for (const char* publish : {"publish_track_frame: map", "line: line.csv, publish_track_frame: track",
-                              "line: {file: line.csv, repeat: true}, publish_track_frame: map"})
-  {
-    expectRefused(publish, "/contact_node/track/publish_track_frame = ");
-  }
-  for (const char* frame : {"/axle", "track"})
-  {
-    EXPECT_TRUE(
-        contains(refusal(with(std::string("wheelset: {frame: ") + frame + "}")), "/contact_node/wheelset/frame = "));
-  }
-  expectRefused("line: {file: line.csv, unit: mm}", "/contact_node/track/line/unit");
+  expectValuesRefused("track/line: missing.csv | . | [line.csv] | wrong.csv\n");
+  expectRefused({
+      {"track: {line: wrong.csv}", "track/line = wrong.csv: ", "wrong.csv:2: column 'cant_left': unknown quantity"},
+      {"track: {line: {file: missing.csv}}", "track/line/file = missing.csv: ", ""},
+      {"track: {line: {axes: railway}}", "track/line/file is missing", ""},
+      {"track: {line: {file: line.csv, axes: down}}", "track/line/axes = down", "rep103, railway"},
+      {"track: {line: {file: line.csv, longest_gap: 0}}", "track/line/longest_gap = 0", ""},
+      {"track: {line: {file: line.csv, repeat: true}}", "track/line",
+       "line.csv: repeat: a step of -0.005 in rail_lateral_left (SI"},
+      {"track: {publish_track_frame: map}", "track/publish_track_frame = ", ""},
+      {"track: {line: line.csv, publish_track_frame: track}", "track/publish_track_frame = ", ""},
+      {"track: {line: {file: line.csv, repeat: true}, publish_track_frame: map}", "track/publish_track_frame = ", ""},
+      {"wheelset: {frame: /axle}", "wheelset/frame = ", ""},
+      {"wheelset: {frame: track}", "wheelset/frame = ", ""},
+      {"track: {line: {file: line.csv, unit: mm}}", "track/line/unit", ""},
+  });
 }
