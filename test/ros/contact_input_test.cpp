@@ -117,15 +117,8 @@ using Refusal = std::pair<int, std::string>;
 
 Refusal refusal(const ContactInput& in, const tf2::BufferCore& transforms = tf2::BufferCore())
 {
-  try
-  {
-    convert(in, transforms);
-  }
-  catch (const UnusableInput& error)
-  {
-    return {error.status(), error.what()};
-  }
-  return {-1, "accepted"};
+  const auto error = thrownBy<UnusableInput>([&] { convert(in, transforms); });
+  return {error.status(), error.what()};
 }
 
 Eigen::Quaterniond turned(double yaw, double roll, double spin)
@@ -398,30 +391,4 @@ TEST(ContactInput, TwistInAnotherFrameOrNotFiniteIsRefused)
     in.twist = shared(message);
     EXPECT_EQ(refusal(in, transforms).second, "twist: angular is not finite");
   }
-}
-
-TEST(WarmStartReset, OccursAtTheFirstInputAtWholeSecondsAfterTwoHundredInputsAndWhenAStampDecreases)
-{
-  using Places = std::vector<std::size_t>;
-  const auto resets = [](const std::vector<int>& stamps)  // indices of the stamps [ms] at which it is reset
-  {
-    ResetRule rule;
-    Places result;
-    for (std::size_t i = 0; i < stamps.size(); ++i)
-    {
-      if (rule.resets(ros::Time(0, 0) + ros::Duration().fromNSec(std::int64_t{1000000} * stamps[i])))
-      {
-        result.push_back(i);
-      }
-    }
-    return result;
-  };
-  EXPECT_EQ(resets({500, 700, 999, 1000, 1999, 2000, 5000}), (Places{0, 3, 5, 6}));
-  EXPECT_EQ(resets({500, 700, 600, 610, 610}), (Places{0, 2})) << "not when a stamp is repeated";
-  std::vector<int> stamps(450);
-  std::generate(stamps.begin(), stamps.end(), [stamp = 1998]() mutable { return stamp += 2; });
-  EXPECT_EQ(resets(stamps), (Places{0, 200, 400}));
-  // Two evaluators that begin at different inputs have the same resets from the next whole second on.
-  EXPECT_EQ(resets({100, 300, 900, 1100, 1200, 2100}), (Places{0, 3, 5}));
-  EXPECT_EQ(resets({900, 1100, 1200, 2100}), (Places{0, 1, 3}));
 }

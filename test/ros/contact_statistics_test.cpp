@@ -52,6 +52,17 @@ void expectReport(const ContactStatistics& now, std::uint8_t level, const Values
   }
 }
 
+/// Statistics of some results.
+ContactStatistics counted(const std::vector<ContactOutput>& outputs)
+{
+  ContactStatistics statistics;
+  for (const ContactOutput& output : outputs)
+  {
+    statistics.count(output);
+  }
+  return statistics;
+}
+
 core::WheelsetResult withForces(double left_lateral, double left_vertical, double right_lateral, double right_vertical)
 {
   core::WheelsetResult result;
@@ -65,10 +76,8 @@ core::WheelsetResult withForces(double left_lateral, double left_vertical, doubl
 
 TEST(ContactStatistics, UsableResultsAreOk)
 {
-  ContactStatistics now;
-  now.count(resultWith(WheelsetContact::OK, ""));
-  now.count(resultWith(WheelsetContact::LIFT_OFF, "the left wheel carries no load", 0.003));
-  expectReport(now, DiagnosticStatus::OK,
+  const ContactOutput lifted = resultWith(WheelsetContact::LIFT_OFF, "the left wheel carries no load", 0.003);
+  expectReport(counted({resultWith(WheelsetContact::OK, ""), lifted}), DiagnosticStatus::OK,
                {{"results", "2"},
                 {"results LIFT_OFF", "1"},
                 {"solve time, mean [ms]", "2.000"},
@@ -79,15 +88,11 @@ TEST(ContactStatistics, UsableResultsAreOk)
 TEST(ContactStatistics, LoadsOfAnotherUnitOrSignWarn)
 {
   core::WheelsetConfig wheelset;
-  const auto doubt_of = [&wheelset](double force_z, std::uint8_t status, int count = 10)
+  const auto doubt_of = [&wheelset](double force_z, std::uint8_t status, std::size_t count = 10)
   {
     ContactOutput output = resultWith(status, "");
     output.state.force_z = force_z;
-    ContactStatistics now;
-    for (int i = 0; i < count; ++i)
-    {
-      now.count(output);
-    }
+    ContactStatistics now = counted(std::vector<ContactOutput>(count, output));
     now.load_doubt = now.loads.doubt(wheelset);
     const auto report = reportOf(now, {});
     EXPECT_EQ(report.level, now.load_doubt.empty() ? DiagnosticStatus::OK : DiagnosticStatus::WARN);
@@ -114,9 +119,8 @@ TEST(ContactStatistics, NoInputIsOkUnmatchedInputWarnsAndAnExceptionIsAnError)
 
 TEST(ContactStatistics, UnusableResultsWarnAndAreAnErrorIfNoneIsUsable)
 {
-  ContactStatistics before, now;
-  before.count(resultWith(WheelsetContact::OK, ""));
-  now = before;
+  const ContactStatistics before = counted({resultWith(WheelsetContact::OK, "")});
+  ContactStatistics now = before;
   now.count(resultWith(WheelsetContact::INVALID_INPUT, "load: force is not finite", 0));
   EXPECT_EQ(reportOf(now, before).level, DiagnosticStatus::ERROR);
   EXPECT_NE(reportOf(now, before).message.find("load: force is not finite"), std::string::npos);
@@ -136,8 +140,7 @@ TEST(ContactStatistics, DroppedInputsWarnAndAreCountedByReason)
 
 TEST(ContactStatistics, MessagesWithoutAStampAreNamedInTheWarning)
 {
-  ContactStatistics now;
-  now.count(resultWith(WheelsetContact::OK, ""));
+  ContactStatistics now = counted({resultWith(WheelsetContact::OK, "")});
   now.pairing.dropped[static_cast<std::size_t>(DropReason::duplicate)] = 1;
   now.pairing.dropped[static_cast<std::size_t>(DropReason::unstamped)] = 4;
   expectReport(now, DiagnosticStatus::WARN, {{"messages dropped: stamp 0, which means that the stamp is unknown", "4"}},
@@ -146,8 +149,7 @@ TEST(ContactStatistics, MessagesWithoutAStampAreNamedInTheWarning)
 
 TEST(ContactStatistics, LoadsThatTheInterpolationDoesNotNeedAreCountedWithoutAWarning)
 {
-  ContactStatistics now;
-  now.count(resultWith(WheelsetContact::OK, ""));
+  ContactStatistics now = counted({resultWith(WheelsetContact::OK, "")});
   now.pairing.dropped[static_cast<std::size_t>(DropReason::unneeded)] = 9;
   expectReport(now, DiagnosticStatus::OK, {{"messages dropped: load not needed, because no pose is next to it", "9"}});
   now.pairing.dropped[static_cast<std::size_t>(DropReason::not_enclosed)] = 1;
@@ -156,11 +158,10 @@ TEST(ContactStatistics, LoadsThatTheInterpolationDoesNotNeedAreCountedWithoutAWa
 
 TEST(ContactStatistics, UnknownForcesOfANeighbourWarn)
 {
-  ContactStatistics now;
-  ContactOutput output = resultWith(WheelsetContact::OK, "");
-  now.count(output);
-  output.lacks_neighbour = true;
-  now.count(output);
+  const ContactOutput known = resultWith(WheelsetContact::OK, "");
+  ContactOutput lacking = known;
+  lacking.lacks_neighbour = true;
+  ContactStatistics now = counted({known, lacking});
   now.services.lacking_neighbour = 3;
   expectReport(
       now, DiagnosticStatus::WARN,
@@ -185,22 +186,17 @@ TEST(ContactStatistics, ImplausibleWheelForceWarnsWithItsReason)
 
 TEST(ContactStatistics, RailBeyondTheRangeOfItsTableWarns)
 {
-  ContactStatistics now;
-  ContactOutput output = resultWith(WheelsetContact::OK, "");
-  output.beyond_linear_range = "left rail: Y = 70.0 kN at Q = 100.0 kN";
-  now.count(output);
-  output.beyond_linear_range.clear();
-  now.count(output);
   const std::string rail = "left rail: Y = 70.0 kN at Q = 100.0 kN";
+  ContactOutput beyond = resultWith(WheelsetContact::OK, "");
+  beyond.beyond_linear_range = rail;
   expectReport(
-      now, DiagnosticStatus::WARN,
+      counted({beyond, resultWith(WheelsetContact::OK, "")}), DiagnosticStatus::WARN,
       {{"results beyond the table's linear range", "1"}, {"last result beyond the table's linear range", rail}}, rail);
 }
 
 TEST(ContactStatistics, ErrorEstimateAboveTheToleranceWarns)
 {
-  ContactStatistics now;
-  now.count(resultWith(WheelsetContact::OK, ""));
+  ContactStatistics now = counted({resultWith(WheelsetContact::OK, "")});
   ContactOutput output = resultWith(WheelsetContact::OK, "the estimated error of a wheel is above contact/tolerance");
   core::WheelsetResult result;
   result.above_tolerance = true;
@@ -212,14 +208,12 @@ TEST(ContactStatistics, ErrorEstimateAboveTheToleranceWarns)
 
 TEST(ContactStatistics, HeldResultIsCountedAsHeldAlone)
 {
-  ContactStatistics now;
   core::WheelsetResult last;
   last.above_tolerance = last.implausible_force = true;
   ContactOutput output = resultWith(WheelsetContact::OFF_PROFILE, "beyond the profile");
   output.result = unowned(last);
   output.held = true;
-  now.count(output);
-  const auto report = reportOf(now, {});
+  const auto report = reportOf(counted({output}), {});
   EXPECT_EQ(valueOf(report, "results held"), "1");
   EXPECT_EQ(valueOf(report, "results with an error estimate above contact/tolerance"), "0");
   EXPECT_EQ(valueOf(report, "results with an implausible wheel force"), "0");

@@ -10,26 +10,16 @@ using namespace wheel_rail_contact;
 
 namespace
 {
-void setValue(double value, geometry_msgs::PoseStamped& pose)
+/// Writes a value into a message.
+struct Writer
 {
-  pose.pose.position.y = value;
-}
-void setValue(double value, geometry_msgs::WrenchStamped& wrench)
-{
-  wrench.wrench.force.y = value;
-}
-void setValue(double value, RailDisplacements& displacements)
-{
-  displacements.left.lateral = value;
-}
-void setValue(double value, geometry_msgs::PointStamped& point)
-{
-  point.point.x = value;
-}
-void setValue(double value, geometry_msgs::TwistStamped& twist)
-{
-  twist.twist.linear.x = value;
-}
+  double value;
+  void to(geometry_msgs::PoseStamped& message) const { message.pose.position.y = value; }
+  void to(geometry_msgs::WrenchStamped& message) const { message.wrench.force.y = value; }
+  void to(RailDisplacements& message) const { message.left.lateral = value; }
+  void to(geometry_msgs::PointStamped& message) const { message.point.x = value; }
+  void to(geometry_msgs::TwistStamped& message) const { message.twist.linear.x = value; }
+};
 
 /// Message of a topic with a stamp [s] and a value, which a complete input shows.
 InputMessage message(InputTopic topic, double stamp, double value = 0, const std::string& frame = "")
@@ -40,7 +30,7 @@ InputMessage message(InputTopic topic, double stamp, double value = 0, const std
                            const auto made = boost::make_shared<typename decltype(type)::Message>();
                            made->header.stamp = ros::Time(stamp);
                            made->header.frame_id = frame;
-                           setValue(value, *made);
+                           Writer{value}.to(*made);
                            return InputMessage(made);
                          });
 }

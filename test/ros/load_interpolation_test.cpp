@@ -58,54 +58,22 @@ TEST(EnclosingPairing, SlowLoadCompletesAllPosesSinceTheLoadBefore)
   EXPECT_EQ(pairing.counts().paired, 7U);
 }
 
-TEST(EnclosingPairing, PoseWithTheStampOfALoadNeedsNoOtherLoad)
+TEST(EnclosingPairing, PosesBetweenTwoLoadsArePairedAndOthersAreCounted)
 {
-  Pairing pairing(2, 0, large_capacity, longest_gap);
-  EXPECT_EQ(pairing.add(loads, {100}), Sets{});
-  EXPECT_EQ(pairing.add(poses, {100}), (Sets{{100, 100, 100}}));
-  EXPECT_EQ(pairing.add(loads, {900}), Sets{});
-  EXPECT_EQ(pairing.add(poses, {900}), (Sets{{900, 900, 900}})) << "the gap does not matter";
-}
-
-TEST(EnclosingPairing, PosesBeforeTheFirstAndAfterTheLastLoadAreDroppedAndCounted)
-{
-  Pairing pairing(2, 0, large_capacity, longest_gap);
-  pairing.add(poses, {10, 15, 22, 31, 40});
-  EXPECT_EQ(pairing.add(loads, {20, 30}), (Sets{{22, 20, 30}}));
-  EXPECT_EQ(pairing.counts()[DropReason::not_enclosed], 2U);
-  pairing.finish();
-  EXPECT_EQ(pairing.counts()[DropReason::not_enclosed], 4U);
-  EXPECT_EQ(pairing.dropped(poses), 4U);
-  EXPECT_EQ(pairing.counts().waiting, 0U);
-}
-
-TEST(EnclosingPairing, PosesInALongerGapThanAllowedAreDroppedAndCounted)
-{
-  Pairing pairing(2, 0, large_capacity, longest_gap);
-  pairing.add(poses, {11, 12, 33, 55, 75});
-  EXPECT_EQ(pairing.add(loads, {10, 30, 51, 71, 80}), (Sets{{11, 10, 30}, {12, 10, 30}, {55, 51, 71}, {75, 71, 80}}));
-  EXPECT_EQ(pairing.counts()[DropReason::not_enclosed], 1U) << "33 is between 30 and 51";
-}
-
-TEST(EnclosingPairing, LoadsBetweenTwoPosesAreNotNeeded)
-{
-  Pairing pairing(2, 0, large_capacity, longest_gap);
-  pairing.add(poses, {15, 45});
-  EXPECT_EQ(pairing.add(loads, {10, 20, 30, 40, 50, 60}), (Sets{{15, 10, 20}, {45, 40, 50}}));
-  pairing.finish();
-  EXPECT_EQ(pairing.counts()[DropReason::unneeded], 2U) << "30 and 60";
-  EXPECT_EQ(pairing.counts().paired, 6U);
-}
-
-TEST(EnclosingPairing, OtherChannelsAreMatchedByTheirStamps)
-{
-  Pairing pairing(3, 0.002, large_capacity, longest_gap);
-  pairing.add(0, {12, 16, 24});
-  pairing.add(2, {10, 20, 30});
-  EXPECT_EQ(pairing.add(1, {13, 18, 27}), (Sets{{12, 13, 10, 20}, {16, 18, 10, 20}}))
-      << "the stamp of the first channel is enclosed";
-  pairing.finish();
-  EXPECT_EQ(pairing.counts()[DropReason::unmatched], 2U) << "24 and 27";
+  const PairingCase cases[] = {
+      {"a pose with the stamp of a load needs no other one", 2, "b100 a100", "100/100/100"},
+      {"a gap before it does not matter", 2, "b100 a100 b900 a900", "100/100/100 900/900/900"},
+      {"before the first and after the last load", 2, "a10,15,22,31,40 b20,30", "22/20/30", "outside 2 waiting 3"},
+      {"33 is in a longer gap than allowed", 2, "a11,12,33,55,75 b10,30,51,71,80",
+       "11/10/30 12/10/30 55/51/71 75/71/80", "outside 1"},
+      {"a load between two poses is not needed", 2, "a15,45 b10,20,30,40,50,60", "15/10/20 45/40/50", "unneeded 1"},
+      {"other channels are matched by their stamps", 3, "a12,16,24 c10,20,30 b13,18,27", "12/13/10/20 16/18/10/20",
+       "unmatched 1 waiting 4", 0.002},
+      {"repeated poses have the same loads", 2, "b10,20 a15,15,20,20", "15/10/20 15/10/20 20/20/20 20/20/20"}};
+  for (const PairingCase& one : cases)
+  {
+    expectPaired(one, longest_gap);
+  }
 }
 
 TEST(EnclosingPairing, SetsDependOnlyOnTheSequenceOfEachChannel)
@@ -160,13 +128,6 @@ TEST(EnclosingPairing, WaitingSamplesAreLimitedByTheCapacity)
   pairing.add(poses, {41, 42, 43, 44});
   EXPECT_EQ(pairing.counts()[DropReason::queue_full], 2U);
   EXPECT_EQ(pairing.add(loads, {50}), (Sets{{42, 40, 50}, {43, 40, 50}, {44, 40, 50}}));
-}
-
-TEST(EnclosingPairing, RepeatedPosesHaveTheSameLoads)
-{
-  Pairing pairing(2, 0, large_capacity, longest_gap);
-  pairing.add(loads, {10, 20});
-  EXPECT_EQ(pairing.add(poses, {15, 15, 20, 20}), (Sets{{15, 10, 20}, {15, 10, 20}, {20, 20, 20}, {20, 20, 20}}));
 }
 
 TEST(EnclosingPairing, SecondLoadOfAStampIsDroppedAsADuplicate)

@@ -4,6 +4,7 @@
 #include "../manchester_scene.h"
 #include "../usual_headers.h"
 #include "ros/evaluation/contact_evaluator.h"
+#include "ros/evaluation/contact_input.h"
 #include "ros/evaluation/transform_store.h"
 #include "ros/node/newest_queue.h"
 #include "ros/parameters/node_parameters.h"
@@ -145,4 +146,30 @@ TEST(TransformStore, FarStampCostsOneTransformAndEndsNothing)
   EXPECT_EQ(store.refused().find("2 transforms not used, the first one: transform to 'vehicle' with the stamp 42949"),
             0U)
       << store.refused();
+}
+
+TEST(WarmStartReset, OccursAtTheFirstInputAtWholeSecondsAfterTwoHundredInputsAndWhenAStampDecreases)
+{
+  using Places = std::vector<std::size_t>;
+  const auto resets = [](const std::vector<int>& stamps)  // indices of the stamps [ms] at which it is reset
+  {
+    ResetRule rule;
+    Places result;
+    for (std::size_t i = 0; i < stamps.size(); ++i)
+    {
+      if (rule.resets(ros::Time(0, 0) + ros::Duration().fromNSec(std::int64_t{1000000} * stamps[i])))
+      {
+        result.push_back(i);
+      }
+    }
+    return result;
+  };
+  EXPECT_EQ(resets({500, 700, 999, 1000, 1999, 2000, 5000}), (Places{0, 3, 5, 6}));
+  EXPECT_EQ(resets({500, 700, 600, 610, 610}), (Places{0, 2})) << "not when a stamp is repeated";
+  std::vector<int> stamps(450);
+  std::generate(stamps.begin(), stamps.end(), [stamp = 1998]() mutable { return stamp += 2; });
+  EXPECT_EQ(resets(stamps), (Places{0, 200, 400}));
+  // Two evaluators that begin at different inputs have the same resets from the next whole second on.
+  EXPECT_EQ(resets({100, 300, 900, 1100, 1200, 2100}), (Places{0, 3, 5}));
+  EXPECT_EQ(resets({900, 1100, 1200, 2100}), (Places{0, 1, 3}));
 }

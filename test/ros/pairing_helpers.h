@@ -64,4 +64,55 @@ class Pairing : public StampPairing<int>
   std::uint64_t dropped(DropReason reason) const { return counts()[reason]; }
   Sets sets;
 };
+
+/// Arrivals, the sets that they form, and the samples that are in none, all as texts. Arrivals: letters of channels and
+/// their stamps [ms], "a1,2 b1,2 ab3,4"; with two letters each stamp is added to both channels before the next one.
+struct PairingCase
+{
+  const char* what;
+  std::size_t channels;
+  std::string arrivals, sets, lost = "";
+  double slop = 0;  ///< [s]
+  std::size_t capacity = large_capacity;
+};
+
+inline void expectPaired(const PairingCase& one, std::optional<double> longest_gap = {})
+{
+  SCOPED_TRACE(one.what);
+  Pairing pairing(one.channels, one.slop, one.capacity, longest_gap);
+  std::istringstream arrivals(one.arrivals);
+  for (std::string word; arrivals >> word;)
+  {
+    const std::size_t letters = word.find_first_of("0123456789");
+    std::istringstream stamps(word.substr(letters));
+    for (std::string stamp; std::getline(stamps, stamp, ',');)
+    {
+      for (const char channel : word.substr(0, letters))
+      {
+        pairing.add(static_cast<std::size_t>(channel - 'a'), {std::stoi(stamp)});
+      }
+    }
+  }
+  std::string sets, lost;
+  for (const std::vector<int>& set : pairing.sets)
+  {
+    sets += sets.empty() ? "" : " ";
+    for (std::size_t i = 0; i < set.size(); ++i)
+    {
+      sets += (i == 0 ? "" : "/") + std::to_string(set[i]);
+    }
+  }
+  constexpr const char* reasons[] = {"unmatched ", "duplicate ", "jump ",    "full ",
+                                     "unstamped ", "outside ",   "unneeded "};
+  for (std::size_t i = 0; i < PairingCounts::reasons; ++i)
+  {
+    const std::uint64_t count = pairing.counts().dropped[i];
+    lost += count > 0 ? reasons[i] + std::to_string(count) + " " : "";
+  }
+  lost += pairing.isSettled() ? "" : "waiting " + std::to_string(pairing.counts().waiting) + " ";
+  EXPECT_EQ(sets, one.sets);
+  EXPECT_EQ(lost, one.lost + (one.lost.empty() ? "" : " "));
+  pairing.finish();
+  EXPECT_EQ(pairing.counts().waiting, 0U);
+}
 }  // namespace wheel_rail_contact

@@ -8,34 +8,36 @@ using namespace wheel_rail_contact;
 
 TEST(StampPairing, SamplesArePairedWithinTheSlopAndOthersAreCounted)
 {
-  struct Sequence
+  const PairingCase cases[] = {
+      {"in step", 2, "a1,2,3 b1,2,3", "1/1 2/2 3/3"},
+      {"one is missing", 2, "a1,2,3 b1,3", "1/1 3/3", "unmatched 1"},
+      {"within the slop", 2, "a100,200,300 b97,203,304", "100/97 200/203", "unmatched 1 waiting 1", 0.003},
+      {"incomplete", 4, "c5 a5 d5", "", "waiting 3"},
+      {"complete", 4, "c5 a5 d5 b5", "5/5/5/5"},
+      {"one channel", 1, "a7", "7"},
+      // A slop above the sampling interval would permit a shift.
+      {"a repeated sample does not shift later sets", 2, "b1,2,2,3,4 a1,2,3,4", "1/1 2/2 3/3 4/4", "unmatched 1",
+       0.0015},
+      {"a full queue keeps the newest", 2, "a1,2,3,4,5 b3,4,5", "3/3 4/4 5/5", "full 2", 0, 3},
+      {"a bag without a pose at 4, in a loop", 2, "ab1,2,3 b4 ab1,2,3 b4 ab1,2,3 b4",
+       "1/1 2/2 3/3 1/1 2/2 3/3 1/1 2/2 3/3", "jump 2 waiting 1"},
+      {"a channel that has not passed the new time need not go back", 3, "ab60,70,80 acb10,20", "10/10/10 20/20/20",
+       "jump 6"},
+      {"the load at 61 is from before the jump, the pose after it", 2, "ab50,60 b61 a10,20,61", "50/50 60/60",
+       "jump 1 waiting 3"},
+      {"and the loads follow", 2, "ab50,60 b61 a10,20,61 b10,20,61", "50/50 60/60 10/10 20/20 61/61", "jump 1"},
+      {"a far stamp in place of 3 costs one sample", 2, "ab1,2 b3,4,5 a2000000000,4,5 ab6", "1/1 2/2 4/4 5/5 6/6",
+       "unmatched 1 jump 1"},
+      {"samples out of order do not block later ones", 2, "ab10,20 a15 b25 ab30,40,50", "10/10 20/20 30/30 40/40 50/50",
+       "unmatched 1 jump 1"},
+      // Several samples with one stamp, as a simulation with several evaluations per step sends them.
+      {"a repeated stamp forms another set", 2, "ab1,1,1", "1/1 1/1 1/1"},
+      {"within the slop, too", 2, "a100 b102 a100 b102 a110 b112 a110 b112", "100/102 100/102 110/112 110/112", "",
+       0.003},
+      {"a stamp to which another channel went back is no repetition", 2, "ab10 a20,10 b10", "10/10 10/10", "jump 1"}};
+  for (const PairingCase& one : cases)
   {
-    std::size_t channels;
-    double slop;
-    std::vector<std::pair<std::size_t, Stamps>> samples;
-    Sets sets;
-    std::uint64_t unmatched = 0, waiting = 0;
-  };
-  const Sequence sequences[] = {
-      {2, 0, {{0, {1, 2, 3}}, {1, {1, 2, 3}}}, {{1, 1}, {2, 2}, {3, 3}}},
-      {2, 0, {{0, {1, 2, 3}}, {1, {1, 3}}}, {{1, 1}, {3, 3}}, 1},
-      {2, 0.003, {{0, {100, 200, 300}}, {1, {97, 203, 304}}}, {{100, 97}, {200, 203}}, 1, 1},
-      {4, 0, {{2, {5}}, {0, {5}}, {3, {5}}}, {}, 0, 3},
-      {4, 0, {{2, {5}}, {0, {5}}, {3, {5}}, {1, {5}}}, {{5, 5, 5, 5}}},
-      {1, 0, {{0, {7}}}, {{7}}},
-      // A repeated sample does not shift later sets, where a slop above the sampling interval permits a shift.
-      {2, 0.0015, {{1, {1, 2, 2, 3, 4}}, {0, {1, 2, 3, 4}}}, {{1, 1}, {2, 2}, {3, 3}, {4, 4}}, 1}};
-  for (const Sequence& sequence : sequences)
-  {
-    Pairing pairing(sequence.channels, sequence.slop);
-    for (const auto& [channel, stamps] : sequence.samples)
-    {
-      pairing.add(channel, stamps);
-    }
-    EXPECT_EQ(pairing.sets, sequence.sets);
-    EXPECT_EQ(pairing.counts().paired, sequence.channels * sequence.sets.size());
-    EXPECT_EQ(pairing.dropped(DropReason::unmatched), sequence.unmatched);
-    EXPECT_EQ(pairing.counts().waiting, sequence.waiting);
+    expectPaired(one);
   }
 }
 
@@ -93,47 +95,6 @@ TEST(StampPairing, SetsDoNotDependOnTheOrderOfArrival)
   EXPECT_GT(first.size(), 50U);
 }
 
-TEST(StampPairing, FullQueueKeepsTheNewest)
-{
-  Pairing pairing(2, 0, 3);
-  pairing.add(0, {1, 2, 3, 4, 5});
-  EXPECT_EQ(pairing.counts().waiting, 3U);
-  pairing.add(1, {3, 4, 5});
-  EXPECT_EQ(pairing.sets, (Sets{{3, 3}, {4, 4}, {5, 5}}));
-  EXPECT_EQ(pairing.dropped(DropReason::queue_full), 2U);
-}
-
-TEST(StampPairing, BagLoopLosesOnlyWaitingSamples)
-{
-  Pairing pairing(2);
-  for (int loop = 0; loop < 3; ++loop)
-  {
-    pairing.addToBoth({1, 2, 3});
-    pairing.add(1, {4});  // the bag has no pose with this stamp
-  }
-  EXPECT_EQ(pairing.sets.size(), 9U);
-  EXPECT_EQ(pairing.dropped(DropReason::time_jump), 2U);
-  EXPECT_EQ(pairing.counts().waiting, 1U);
-}
-
-TEST(StampPairing, ChannelThatHasNotPassedTheNewTimeNeedNotGoBack)
-{
-  Pairing pairing(3);
-  for (const int t : {60, 70, 80})
-  {
-    pairing.add(0, {t});
-    pairing.add(1, {t});  // the third channel has no samples yet
-  }
-  for (const int t : {10, 20})
-  {
-    pairing.add(0, {t});
-    pairing.add(2, {t});
-    pairing.add(1, {t});
-  }
-  EXPECT_EQ(pairing.sets, (Sets{{10, 10, 10}, {20, 20, 20}}));
-  EXPECT_EQ(pairing.dropped(DropReason::time_jump), 6U);
-}
-
 TEST(StampPairing, SampleOutOfOrderAtTheEndOfALoopAffectsOnlyItsNeighbours)
 {
   Pairing pairing(2);
@@ -152,40 +113,6 @@ TEST(StampPairing, SampleOutOfOrderAtTheEndOfALoopAffectsOnlyItsNeighbours)
   }
 }
 
-TEST(StampPairing, LoadFromBeforeAJumpIsNotPairedWithALaterPose)
-{
-  Pairing pairing(2);
-  pairing.addToBoth({50, 60});
-  pairing.add(1, {61});
-  pairing.add(0, {10, 20, 61});  // time goes back: the load at 61 is from before the jump
-  EXPECT_EQ(pairing.sets, (Sets{{50, 50}, {60, 60}}));
-  EXPECT_EQ(pairing.dropped(DropReason::time_jump), 1U);
-  pairing.add(1, {10, 20, 61});
-  EXPECT_EQ(pairing.sets, (Sets{{50, 50}, {60, 60}, {10, 10}, {20, 20}, {61, 61}}));
-}
-
-TEST(StampPairing, FarStampOfOneChannelCostsOneSample)
-{
-  Pairing pairing(2);
-  pairing.addToBoth({1, 2});
-  pairing.add(1, {3, 4, 5});
-  pairing.add(0, {2000000000, 4, 5});  // instead of 3
-  pairing.addToBoth({6});
-  EXPECT_EQ(pairing.sets, (Sets{{1, 1}, {2, 2}, {4, 4}, {5, 5}, {6, 6}}));
-  EXPECT_EQ(pairing.counts().waiting, 0U);
-}
-
-TEST(StampPairing, SampleOutOfOrderDoesNotBlockLaterSamples)
-{
-  Pairing pairing(2);
-  for (const int t : {10, 20, 15, 30, 40, 50})
-  {
-    pairing.add(0, {t});
-    pairing.add(1, {t == 15 ? 25 : t});
-  }
-  EXPECT_EQ(pairing.sets, (Sets{{10, 10}, {20, 20}, {30, 30}, {40, 40}, {50, 50}}));
-}
-
 TEST(StampPairing, SmallestAndLargestStampsCauseNoOverflow)
 {
   Pairing pairing(2, 1.0);
@@ -195,29 +122,6 @@ TEST(StampPairing, SmallestAndLargestStampsCauseNoOverflow)
   EXPECT_FALSE(pairing.add(0, last, 0).empty());
   EXPECT_TRUE(pairing.add(0, ros::Time(5, 0), 0).empty());
   EXPECT_FALSE(pairing.add(1, ros::Time(5, 0), 0).empty());
-}
-
-TEST(StampPairing, FinishDropsAndCountsWaitingSamples)
-{
-  Pairing pairing(2);
-  pairing.add(0, {1});
-  pairing.finish();
-  EXPECT_EQ(pairing.counts().waiting, 0U);
-  EXPECT_EQ(pairing.dropped(DropReason::unmatched), 1U);
-}
-
-// Several samples with one stamp, as a simulation with several evaluations per step sends them.
-
-TEST(RepeatedStamps, RepeatedStampFormsAnotherSet)
-{
-  Pairing pairing(2);
-  for (int evaluation = 0; evaluation < 3; ++evaluation)
-  {
-    pairing.addToBoth({1});
-    EXPECT_EQ(pairing.sets.size(), 1U + static_cast<std::size_t>(evaluation));
-    EXPECT_TRUE(pairing.isSettled());
-  }
-  EXPECT_EQ(pairing.counts().paired, 6U);
 }
 
 TEST(RepeatedStamps, SamplesOfARepeatedStampAreMatchedInTheirOrder)
@@ -234,25 +138,4 @@ TEST(RepeatedStamps, SamplesOfARepeatedStampAreMatchedInTheirOrder)
     }
   }
   EXPECT_EQ(sets, (std::vector<std::vector<std::string>>{{"pose 1", "load 1"}, {"pose 2", "load 2"}}));
-}
-
-TEST(RepeatedStamps, RepeatedStampsArePairedWithinTheSlop)
-{
-  Pairing pairing(2, 0.003);
-  for (const int t : {100, 100, 110, 110})
-  {
-    pairing.add(0, {t});
-    pairing.add(1, {t + 2});
-  }
-  EXPECT_EQ(pairing.sets, (Sets{{100, 102}, {100, 102}, {110, 112}, {110, 112}}));
-}
-
-TEST(RepeatedStamps, SampleAtTheStampToWhichAnotherChannelWentBackIsNotARepetition)
-{
-  Pairing pairing(2);
-  pairing.addToBoth({10});
-  pairing.add(0, {20});
-  pairing.add(0, {10});  // time goes back to the last stamp of the other channel
-  pairing.add(1, {10});
-  EXPECT_EQ(pairing.sets, (Sets{{10, 10}, {10, 10}}));
 }
