@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "profile_helpers.h"
-#include "wheel_rail_contact/core/profile_reader.h"
 
 namespace wheel_rail_contact::core
 {
@@ -267,14 +266,6 @@ TEST_F(OriginTest, OptionsOutOfRangeAreRefused)
   }
 }
 
-ProfileReading mirrored(std::optional<double> smoothing = std::nullopt)
-{
-  ProfileReading reading;
-  reading.smoothing = smoothing;
-  reading.mirror = true;
-  return reading;
-}
-
 const ProfileReading mirror = mirrored();
 
 /// Points of a rail head with more wear on its gauge side [m].
@@ -345,19 +336,6 @@ TEST(MirroredProfile, IsTheProfileWrittenWithYNegated)
     {
       expectSameCurve(mirrored, given);
     }
-  }
-}
-
-TEST(MirroredProfile, OfAStandardNameIsRefused)
-{
-  const std::pair<std::string, ProfileKind> standards[] = {
-      {"S1002", ProfileKind::wheel}, {"60E1", ProfileKind::rail}, {"UIC60_manchester", ProfileKind::rail}};
-  for (const auto& [name, kind] : standards)
-  {
-    EXPECT_EQ(loadProfile(name, kind).name(), name);
-    const std::string refusal = refusalOf([&, name = name, kind = kind] { loadProfile(name, kind, mirror); });
-    EXPECT_TRUE(contains(refusal, name));
-    EXPECT_TRUE(contains(refusal, "mirror"));
   }
 }
 

@@ -6,7 +6,7 @@
 #include "../../last_where.h"
 #include "../../refusal.h"
 #include "../../temporary_folder.h"
-#include "wheel_rail_contact/core/profile.h"
+#include "wheel_rail_contact/core/profile_reader.h"
 
 namespace wheel_rail_contact::core
 {
@@ -16,6 +16,15 @@ constexpr double mm = 1e-3;  ///< [m]
 inline double parameterAt(const Profile& profile, double y)
 {
   return lastWhere([&](double u) { return profile.at(u).y < y; }, 0, profile.length());
+}
+
+/// Options of a file whose y is to be reversed.
+inline ProfileReading mirrored(std::optional<double> smoothing = std::nullopt)
+{
+  ProfileReading reading;
+  reading.smoothing = smoothing;
+  reading.mirror = true;
+  return reading;
 }
 
 /// Two coordinates, in the unit and axes of a file.

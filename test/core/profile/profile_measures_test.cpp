@@ -2,7 +2,6 @@
 #include "core/profile/curve/measures.h"
 
 #include "profile_helpers.h"
-#include "wheel_rail_contact/core/profile_reader.h"
 
 using namespace wheel_rail_contact::core;
 

@@ -2,7 +2,6 @@
 // Noise of the points of a file, and points that are missing.
 #include "core/profile/noise/noise.h"
 #include "profile_helpers.h"
-#include "wheel_rail_contact/core/profile_reader.h"
 
 namespace wheel_rail_contact::core
 {

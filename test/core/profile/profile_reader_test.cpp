@@ -38,16 +38,6 @@ std::vector<Point> shuffled(std::vector<Point> points, Seeded& random)
   return points;
 }
 
-TEST(LoadProfile, StandardProfilesAreFoundByNameAndKind)
-{
-  EXPECT_EQ(loadProfile("S1002", ProfileKind::wheel).name(), "S1002");
-  EXPECT_EQ(loadProfile("60E1", ProfileKind::rail).name(), "60E1");
-  EXPECT_EQ(loadProfile("UIC60_manchester", ProfileKind::rail).name(), "UIC60_manchester");
-  EXPECT_THROW(loadProfile("S1002", ProfileKind::rail), std::invalid_argument);
-  EXPECT_THROW(loadProfile("60E1", ProfileKind::wheel), std::invalid_argument);
-  EXPECT_THROW(loadProfile("UIC60_manchester", ProfileKind::wheel), std::invalid_argument);
-}
-
 TEST(LoadProfile, ContentDeterminesTheFileFormat)
 {
   const Folder folder;
@@ -286,17 +276,6 @@ TEST(MiniProfProfile, OldFilesWithFreeTextAreRead)
   expectRejected(folder.write("tilt.whl", "MINIPROF 101\nStock...: 5\nTilt=0.02\n" + points_text), ProfileKind::wheel,
                  3, "Tilt");
   EXPECT_LT(deviation(readProfile(path, ProfileKind::wheel, {0.0}), points), 1e-12);
-}
-
-TEST(MiniProfProfile, OverlapOfTwoStrokesIsOmitted)
-{
-  const Folder folder;
-  const std::vector<Point> rail = pointsOf(rail60E1());
-  std::vector<Point> points(rail.begin(), rail.begin() + 250);
-  points.insert(points.end(), rail.begin() + 247, rail.end());
-  const Profile read =
-      readProfile(folder.write("head.ban", lines(changed(points, miniProfRail), " ")), ProfileKind::rail, {0.0});
-  EXPECT_LT(deviation(read, rail), 1e-12);
 }
 
 TEST(MiniProfProfile, DamagedFilesAreRejected)

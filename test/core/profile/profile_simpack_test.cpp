@@ -2,7 +2,6 @@
 #include "core/profile/curve/spline.h"
 #include "profile_helpers.h"
 #include "section_scenes.h"
-#include "wheel_rail_contact/core/profile_reader.h"
 
 namespace wheel_rail_contact::core
 {
@@ -233,13 +232,6 @@ std::string twoColumns(const Profile& profile, double unit)
   return lines(scaled(pointsOf(profile), 1 / unit, -1 / unit), " ");
 }
 
-ProfileReading mirroredSlices()
-{
-  ProfileReading reading;
-  reading.mirror = true;
-  return reading;
-}
-
 class SlicesTest : public testing::Test
 {
  protected:
@@ -315,7 +307,7 @@ TEST_F(SlicesTest, EqualSlicesShareOneProfile)
 
 TEST_F(SlicesTest, MirrorChangesTheSignOfY)
 {
-  const RailSeries series = read(head_ + "0 'a.txt'\n1 'b.txt'\n", mirroredSlices());
+  const RailSeries series = read(head_ + "0 'a.txt'\n1 'b.txt'\n", mirrored());
   EXPECT_NEAR(series[1].profile->at(0).y, -b_.at(b_.length()).y, slice_rounding);
   EXPECT_LT(series[1].profile->at(0).y, series[1].profile->at(series[1].profile->length()).y);
 }
@@ -330,7 +322,7 @@ TEST_F(SlicesTest, FeaturesAreLengthsAlongTheCurve)
   EXPECT_TRUE(std::isnan(series[1].places[0])) << "negative: the slice has no such feature";
   EXPECT_DOUBLE_EQ(series[1].places[1], 0.070);
 
-  const RailSeries other = read(slices + features, mirroredSlices());
+  const RailSeries other = read(slices + features, mirrored());
   const double length = other[0].profile->length();
   EXPECT_DOUBLE_EQ(other[0].places[0], length - 0.0605) << "the curve now begins at the other end";
   EXPECT_DOUBLE_EQ(other[0].places[1], length - 0.016);

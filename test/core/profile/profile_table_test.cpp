@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tables with points of profiles, as spreadsheets and programs write them.
 #include "profile_helpers.h"
-#include "wheel_rail_contact/core/profile_reader.h"
 
 namespace wheel_rail_contact::core
 {

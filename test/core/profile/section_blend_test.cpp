@@ -168,17 +168,6 @@ TEST(RailSections, SectionsWithoutACommonSideAreRefused)
                std::invalid_argument);
 }
 
-TEST(RailSections, PlacesMustIncreaseOnTheProfile)
-{
-  const auto head = std::make_shared<const Profile>(profileOf({})),
-             other = std::make_shared<const Profile>(profileOf({0.001}));
-  for (const std::vector<double>& places : {std::vector<double>{-0.5, 0.02}, {0.01, 3}, {0.03, 0.02}})
-  {
-    EXPECT_THROW(RailSections({{{0, head, places}, {1, other, {0.01, 0.02}}}}, RailSections::Placement::gauge),
-                 std::invalid_argument);
-  }
-}
-
 TEST(SectionBlend, AHeadOfOneSectionOnlyIsLeftOut)
 {
   const Head wing{0, 0, 0.030}, nose{0.075, 0, 0.020};
@@ -245,6 +234,10 @@ TEST(RailSections, MistakesAreRefused)
   EXPECT_THROW(RailSections({{{0, head, {}}, {0, other, {}}}}, gauge), std::invalid_argument);
   EXPECT_THROW(RailSections({{{0, head, {0.01}}, {1, other, {}}}}, gauge), std::invalid_argument);
   EXPECT_THROW(RailSections({{{0, head, {0.01, none}}, {1, other, {none, 0.05}}}}, gauge), std::invalid_argument);
+  for (const std::vector<double>& places : {std::vector<double>{-0.5, 0.02}, {0.01, 3}, {0.03, 0.02}})
+  {
+    EXPECT_THROW(RailSections({{{0, head, places}, {1, other, {0.01, 0.02}}}}, gauge), std::invalid_argument);
+  }
 }
 
 TEST(RailSections, ContainItsRunningRail)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/profile/curve/spline.h"
 #include "profile_helpers.h"
-#include "wheel_rail_contact/core/profile_reader.h"
 
 namespace wheel_rail_contact::core
 {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "standard_helpers.h"
-#include "wheel_rail_contact/core/profile_reader.h"
 
 using namespace wheel_rail_contact::core;
 
@@ -242,7 +241,7 @@ TEST(RailUic60Manchester, ProfilePassesThroughThePointsOfTheManchesterBenchmark)
   }
 }
 
-TEST(StandardProfiles, EachNameOfTheListsOpensTheProfileOfThatName)
+TEST(StandardProfiles, EachNameOfTheListsOpensTheProfileOfThatNameAndKindUnmirrored)
 {
   for (const ProfileKind kind : {ProfileKind::wheel, ProfileKind::rail})
   {
@@ -251,6 +250,10 @@ TEST(StandardProfiles, EachNameOfTheListsOpensTheProfileOfThatName)
     for (const std::string& name : names)
     {
       EXPECT_EQ(loadProfile(name, kind).name(), name);
+      const ProfileKind other = kind == ProfileKind::wheel ? ProfileKind::rail : ProfileKind::wheel;
+      EXPECT_THROW(loadProfile(name, other), std::invalid_argument) << name;
+      const std::string refusal = refusalOf([&, name = name, kind = kind] { loadProfile(name, kind, mirrored()); });
+      EXPECT_TRUE(contains(refusal, name) && contains(refusal, "mirror"));
     }
   }
   EXPECT_EQ(standardProfileNames(ProfileKind::rail_section), standardProfileNames(ProfileKind::rail));

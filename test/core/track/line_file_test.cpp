@@ -57,11 +57,6 @@ void expectSame(const LineStation& a, const LineStation& b)
   }
 }
 
-struct Mistake
-{
-  std::string table, message;
-};
-
 TEST_F(LineFileTest, ColumnsOfTheRailsAreTheirDisplacements)
 {
   const TrackLine line = read(
@@ -130,7 +125,7 @@ TEST_F(LineFileTest, MistakesAreRefusedWithLineAndReason)
   const std::string filler = ": another unit, or a filler for a missing value, which must be an empty cell";
   const std::string whole =
       " m: must be the whole gauge, within 0.2 m of track/gauge, or in all rows the deviation from it";
-  const std::vector<Mistake> mistakes{
+  const std::vector<std::pair<std::string, std::string>> mistakes{
       {"", ": is empty"},
       {"# only a comment\n\n", ": is empty"},
       {"x [m],cant_left [mm]\n0,0\n1,0\n", unknown},
@@ -182,10 +177,12 @@ TEST_F(LineFileTest, MistakesAreRefusedWithLineAndReason)
        ":3: cross_level is 103 mm and cant 100 mm: beside a column 'cant', the cross level is the deviation from it"},
       {"x [m],level [mm]\n0,0\n", ": a line needs at least two stations"},
   };
-  for (const Mistake& mistake : mistakes)
+  for (const auto& [table, message] : mistakes)
   {
-    EXPECT_EQ(refusal(mistake.table), mistake.message) << mistake.table;
+    EXPECT_EQ(refusal(table), message) << table;
   }
+  EXPECT_THROW(readTrackLine(folder_.path("missing.csv"), gauge), std::invalid_argument);
+  EXPECT_THROW(readTrackLine(folder_.path("."), gauge), std::invalid_argument);
 }
 
 // The same line as programs of track recording cars write it; the second station is twice as far away as the others.
@@ -313,11 +310,5 @@ TEST_F(LineFileTest, DesignIsLinearBetweenItsStations)
     EXPECT_NEAR(alone.designAt(x).cant, -std::asin(0.1 / 1.5) * along, 1e-15);
     EXPECT_NEAR(alone.designAt(x).gradient, 0.01 - 0.015 * std::max(x - 150, 0.0) / 250, 1e-15);
   }
-}
-
-TEST_F(LineFileTest, FilesThatCannotBeReadAreRefused)
-{
-  EXPECT_THROW(readTrackLine(folder_.path("missing.csv"), gauge), std::invalid_argument);
-  EXPECT_THROW(readTrackLine(folder_.path("."), gauge), std::invalid_argument);
 }
 }  // namespace
