@@ -38,7 +38,7 @@ class DenseActiveSet
         state.matrix.col(i).array() *= (turn.array() - turn[i]).cos();
       }
       state.gap = Eigen::Map<const Eigen::VectorXd>(patch.gap.data(), patch.gap.size());
-      state.loaded.assign(static_cast<std::size_t>(patch.gap.size()), true);
+      state.loaded = Eigen::VectorXd::Ones(patch.gap.size());
       states_.push_back(std::move(state));
     }
   }
@@ -46,19 +46,32 @@ class DenseActiveSet
   Result solve()
   {
     Result result;
-    int least = -1, patience = 10;
+    Eigen::Index least = -1;
+    int patience = 10;
     while (true)
     {
       solveLoaded(result.approach);
       ++result.factorisations;
-      const int wrong = countWrong();
+      Eigen::Index wrong = 0;
+      double worst = 0;
+      for (State& s : states_)
+      {
+        // A pressure is counted as the displacement of its own cell.
+        s.violation = (s.loaded.array() > 0).select(-s.pressure.cwiseProduct(s.matrix.diagonal()), -s.distance);
+        wrong += (s.violation.array() > rounding).count();
+        worst = std::max(worst, s.violation.maxCoeff());
+      }
       if (wrong == 0)
       {
         break;
       }
       patience = least < 0 || wrong < least ? 10 : patience - 1;
       least = least < 0 ? wrong : std::min(least, wrong);
-      change(patience > 0);
+      for (State& s : states_)
+      {
+        const auto changes = s.violation.array() > (patience > 0 ? rounding : worst * (1 - 1e-15));
+        s.loaded = changes.select(1 - s.loaded.array(), s.loaded.array()).matrix();
+      }
       if (result.factorisations > 2000)
       {
         throw std::runtime_error("the active set does not converge");
@@ -76,9 +89,9 @@ class DenseActiveSet
   struct State
   {
     Eigen::MatrixXd matrix;
-    Eigen::VectorXd weight, gap, pressure, distance, response, closing;
-    std::vector<bool> loaded;
+    Eigen::VectorXd weight, gap, pressure, distance, response, closing, loaded, violation;
   };
+  static constexpr double rounding = 1e-15;  ///< of distances [m]
 
   /// Values of the columns, or `constant` if there are none, as values of the cells.
   static Eigen::VectorXd ofCells(const PatchGap& patch, const Eigen::ArrayXd& columns, double constant)
@@ -99,8 +112,9 @@ class DenseActiveSet
     {
       State& s = states_[k];
       const PatchGap& patch = problem_.patches[k];
-      s.response = solveOn(s, s.weight);
-      s.closing = solveOn(s, s.gap);
+      const auto factors = restricted(s.matrix, s.loaded).llt();
+      s.response = factors.solve(s.loaded.cwiseProduct(s.weight));
+      s.closing = factors.solve(s.loaded.cwiseProduct(s.gap));
       by_approach += patch.grid.cellArea() * s.weight.dot(s.response);
       by_gap += patch.grid.cellArea() * s.weight.dot(s.closing);
     }
@@ -111,81 +125,6 @@ class DenseActiveSet
       State& s = states_[k];
       s.pressure = approach * s.response - s.closing;
       s.distance = s.matrix * s.pressure + s.gap - approach * s.weight;
-    }
-  }
-
-  static Eigen::VectorXd solveOn(const State& s, const Eigen::VectorXd& right)
-  {
-    std::vector<Eigen::Index> cells;
-    for (std::size_t i = 0; i < s.loaded.size(); ++i)
-    {
-      if (s.loaded[i])
-      {
-        cells.push_back(static_cast<Eigen::Index>(i));
-      }
-    }
-    const auto n = static_cast<Eigen::Index>(cells.size());
-    Eigen::MatrixXd matrix(n, n);
-    Eigen::VectorXd part(n);
-    for (Eigen::Index a = 0; a < n; ++a)
-    {
-      part(a) = right(cells[static_cast<std::size_t>(a)]);
-      for (Eigen::Index b = 0; b < n; ++b)
-      {
-        matrix(a, b) = s.matrix(cells[static_cast<std::size_t>(a)], cells[static_cast<std::size_t>(b)]);
-      }
-    }
-    const Eigen::VectorXd solved = matrix.llt().solve(part);
-    Eigen::VectorXd all = Eigen::VectorXd::Zero(right.size());
-    for (Eigen::Index a = 0; a < n; ++a)
-    {
-      all(cells[static_cast<std::size_t>(a)]) = solved(a);
-    }
-    return all;
-  }
-
-  /// Violation of a cell [m]; zero if the cell is correct. A pressure is counted as the displacement of its own cell.
-  static double violation(const State& s, std::size_t i)
-  {
-    constexpr double rounding = 1e-15;  // [m]
-    const auto at = static_cast<Eigen::Index>(i);
-    const double wrong = s.loaded[i] ? -s.pressure(at) * s.matrix(at, at) : -s.distance(at);
-    return wrong > rounding ? wrong : 0;
-  }
-
-  int countWrong() const
-  {
-    int wrong = 0;
-    for (const State& s : states_)
-    {
-      for (std::size_t i = 0; i < s.loaded.size(); ++i)
-      {
-        wrong += violation(s, i) > 0 ? 1 : 0;
-      }
-    }
-    return wrong;
-  }
-
-  void change(bool all)
-  {
-    double worst = 0;
-    for (const State& s : states_)
-    {
-      for (std::size_t i = 0; i < s.loaded.size(); ++i)
-      {
-        worst = std::max(worst, violation(s, i));
-      }
-    }
-    for (State& s : states_)
-    {
-      for (std::size_t i = 0; i < s.loaded.size(); ++i)
-      {
-        const double wrong = violation(s, i);
-        if (wrong > 0 && (all || wrong == worst))
-        {
-          s.loaded[i] = !s.loaded[i];
-        }
-      }
     }
   }
 

@@ -129,7 +129,7 @@ class GapSampler
   {
     for (std::size_t k = 0; k < scene.patches.size(); ++k)
     {
-      scenes::sample(scene.patches[k], problem_.patches[k]);
+      problem_.patches[k] = problems::sampled(problem_.patches[k].grid, scene.patches[k]);
     }
   }
 

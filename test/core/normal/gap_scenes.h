@@ -208,19 +208,6 @@ inline GapScene randomBowlScene(Random& random)
   return {even, {gap}, load};
 }
 
-inline void sample(const Gap& gap, PatchGap& patch)
-{
-  const Grid& grid = patch.grid;
-  patch.gap.resize(grid.rows(), grid.ny);
-  for (int j = 0; j < grid.ny; ++j)
-  {
-    for (int i = 0; i < grid.rows(); ++i)
-    {
-      patch.gap(i, j) = gap(grid.x(i), grid.y(j));
-    }
-  }
-}
-
 /// The same box with cells `factor` times smaller in each direction.
 inline Grid refined(const Grid& grid, int factor)
 {

@@ -67,11 +67,9 @@ CurvedProblem onOneGrid(double approach)
   const Grid grid = problems::centredGrid(64, 240, 0.024, 0.024, true);
   CurvedProblem problem;
   problem.modulus = problems::steel();
-  problem.control = NormalProblem::Control::approach;
-  problem.value = approach;
   problem.patches.push_back(problems::sampled(
       grid, [](double x, double y) { return bowl(y > 0, x, y > 0 ? y - half_distance : y + half_distance); }));
-  return problem;
+  return problems::atApproach(problem, approach);
 }
 
 /// The same cells around each bowl, as two patches. y is measured from the lowest point of each.

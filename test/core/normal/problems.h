@@ -74,6 +74,22 @@ inline NormalProblem underLoad(PatchGap patch, double load)
   return problem;
 }
 
+/// The same problem at a given approach [m].
+template <typename Problem>
+Problem atApproach(Problem problem, double approach)
+{
+  problem.control = NormalProblem::Control::approach;
+  problem.value = approach;
+  return problem;
+}
+
+/// Largest difference of the pressures of a patch, relative to the highest one of the second solution [-].
+inline double difference(const NormalSolution& one, const NormalSolution& other, std::size_t patch = 0)
+{
+  return (one.patches[patch].pressure - other.patches[patch].pressure).abs().maxCoeff() /
+         other.patches[patch].pressure.maxCoeff();
+}
+
 /// Conjugate gradients that stop at a residual [-].
 inline ConjugateGradients solverTo(double residual, int max_products = ConjugateGradientsOptions().max_products)
 {
@@ -172,6 +188,15 @@ inline Eigen::MatrixXd influenceMatrix(const Grid& grid, double modulus, Kernel 
     }
   }
   return matrix;
+}
+
+/// The matrix of a patch whose columns are turned, for the loaded cells (1, others 0). Others have rows of the
+/// identity.
+inline Eigen::MatrixXd restricted(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& loaded)
+{
+  Eigen::MatrixXd part = matrix.cwiseProduct(loaded * loaded.transpose());
+  part.diagonal() += Eigen::VectorXd::Ones(loaded.size()) - loaded;
+  return part;
 }
 
 inline double uniform(std::mt19937_64& random, double low, double high)

@@ -69,12 +69,10 @@ TEST(Seidel, PrintedFormUnderestimatesTheApproachByHalfAPercentOnSquareCells)
 
 TEST(Seidel, PrintedFormAppliesTheApproachInSteps)
 {
-  auto hertz = hertzCase(1, 16, 16, true);
+  const auto hertz = hertzCase(1, 16, 16, true);
   const NormalSolution by_load = problems::solved(hertz.problem, 1e-8);
-  hertz.problem.control = NormalProblem::Control::approach;
-  hertz.problem.value = by_load.approach;
   Seidel seidel = seidelAsPrinted();
-  const NormalSolution solution = problems::converged(seidel, hertz.problem);
+  const NormalSolution solution = problems::converged(seidel, problems::atApproach(hertz.problem, by_load.approach));
   EXPECT_GE(solution.iterations, 5) << "at least one sweep per step";
   EXPECT_NEAR(solution.patches[0].force / 1e5, 1, 0.01);
 }
@@ -164,10 +162,7 @@ TEST(Seidel, ReportsWhyItEnded)
     NormalProblem broken = hertz.problem;
     broken.patches[0].gap(0, 0) = std::nan("");
     EXPECT_EQ(problems::solved(seidel, broken).status, SolveStatus::invalid_problem) << seidel.name();
-    NormalProblem apart = hertz.problem;
-    apart.control = NormalProblem::Control::approach;
-    apart.value = -1e-6;
-    const NormalSolution solution = problems::solved(seidel, apart);
+    const NormalSolution solution = problems::solved(seidel, problems::atApproach(hertz.problem, -1e-6));
     EXPECT_EQ(solution.status, SolveStatus::no_contact) << seidel.name();
     EXPECT_EQ(solution.patches[0].force, 0);
   }
