@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Records the results of states of all kinds, to show that a change of the code does not change a number:
-//   record_states write FILE     before the change: one line for each state, with a digest of the bits of its result
-//   record_states compare FILE   after it: prints the states whose line differs; exit status 1 if there are any
-//   record_states print SEED     all numbers of the results of one scene, to find the first that differs
+// Prints the results of states of all kinds, to show that a change of the code does not change a number:
+//   record_states         a line for each state, with a digest of the bits of its result; to be compared with `diff`
+//   record_states SEED    all numbers of the results of one scene, to find the first that differs
 // The scenes are random scenes of test/stability, varied by unequal sides, moments, stress, irregularities and
 // sections.
 #include "../result_numbers.h"
@@ -108,100 +107,34 @@ Scene variedScene(const ScenePool& pool, unsigned long seed)
   return scene;
 }
 
-/// Lines of a recording: seed, number and status of the state, and the digest of its numbers.
-std::vector<std::string> record()
+/// Prints seed, number and status of each state of a scene, and the digest of its numbers, or these numbers themselves.
+void print(const ScenePool& pool, unsigned long seed, bool all_numbers)
 {
-  const ScenePool pool = stability::readScenePool();
-  std::vector<std::string> lines;
-  for (unsigned long seed = 1; seed <= scene_count; ++seed)
-  {
-    const Scene scene = variedScene(pool, seed);
-    WheelsetContact contact(scene.config);
-    for (std::size_t i = 0; i < scene.states.size(); ++i)
-    {
-      std::string bits;
-      const ContactStatus status = visitAll(contact, scene.states[i], i % 5 == 0,
-                                            [&](const char*, double value)
-                                            { bits.append(reinterpret_cast<const char*>(&value), sizeof value); });
-      char line[80];
-      std::snprintf(line, sizeof line, "%lu %zu status %d digest %016zx", seed, i, static_cast<int>(status),
-                    std::hash<std::string>{}(bits));
-      lines.emplace_back(line);
-    }
-  }
-  return lines;
-}
-
-int write(const std::string& file)
-{
-  std::ofstream out(file);
-  for (const std::string& line : record())
-  {
-    out << line << '\n';
-  }
-  out.close();
-  return out ? 0 : 2;
-}
-
-int compare(const std::string& file)
-{
-  std::ifstream in(file);
-  std::size_t different = 0, count = 0;
-  for (const std::string& line : record())
-  {
-    std::string before;
-    std::getline(in, before);
-    ++count;
-    if (line != before)
-    {
-      ++different;
-      std::cout << "before " << before << "\nnow    " << line << '\n';
-    }
-  }
-  std::string more;
-  const bool shorter = static_cast<bool>(std::getline(in, more));
-  std::cout << different << " of " << count << " states differ" << (shorter ? "; the recording is longer" : "") << '\n';
-  return different == 0 && !shorter ? 0 : 1;
-}
-
-int print(unsigned long seed)
-{
-  const Scene scene = variedScene(stability::readScenePool(), seed);
+  const Scene scene = variedScene(pool, seed);
   WheelsetContact contact(scene.config);
-  std::printf("%s\n", scene.description.c_str());
   for (std::size_t i = 0; i < scene.states.size(); ++i)
   {
-    std::printf("state %zu\n", i);
-    visitAll(contact, scene.states[i], i % 5 == 0,
-             [](const char* name, double value) { std::printf("%s %a\n", name, value); });
+    std::string bits;
+    const auto add = [&](const char* name, double value)
+    {
+      bits.append(reinterpret_cast<const char*>(&value), sizeof value);
+      if (all_numbers)
+      {
+        std::printf("%s %a\n", name, value);
+      }
+    };
+    const ContactStatus status = visitAll(contact, scene.states[i], i % 5 == 0, add);
+    std::printf("%lu %zu status %d digest %016zx\n", seed, i, static_cast<int>(status), std::hash<std::string>{}(bits));
   }
-  return 0;
 }
 }  // namespace
 
 int main(int argc, char** argv)
 {
-  const std::string command = argc == 3 ? argv[1] : "";
-  try
+  const ScenePool pool = stability::readScenePool();
+  const unsigned long only = argc > 1 ? std::stoul(argv[1]) : 0;
+  for (unsigned long seed = only > 0 ? only : 1; seed <= (only > 0 ? only : scene_count); ++seed)
   {
-    if (command == "write")
-    {
-      return write(argv[2]);
-    }
-    if (command == "compare")
-    {
-      return compare(argv[2]);
-    }
-    if (command == "print")
-    {
-      return print(std::stoul(argv[2]));
-    }
+    print(pool, seed, only > 0);
   }
-  catch (const std::exception& error)
-  {
-    std::cerr << "record_states: " << error.what() << '\n';
-    return 2;
-  }
-  std::cerr << "usage: record_states write FILE | compare FILE | print SEED\n";
-  return 2;
 }

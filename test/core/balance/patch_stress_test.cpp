@@ -15,6 +15,12 @@ ContactModelConfig roundScene(const StressConfig& stress, ContactModelConfig sce
   return scene;
 }
 
+/// The first patch of a centred wheelset with 100 kN per wheel.
+PatchResult firstPatch(const ContactModelConfig& scene)
+{
+  return WheelsetContact(scene).evaluate(stateAt(0, 1e5)).patches.at(0);
+}
+
 ContactModelConfig standardScene(const StressConfig& stress)
 {
   return roundScene(stress, manchesterScene());
@@ -22,8 +28,7 @@ ContactModelConfig standardScene(const StressConfig& stress)
 
 TEST(PatchStress, IsNotComputedByDefault)
 {
-  WheelsetContact contact(roundScene({}));
-  const PatchResult& patch = contact.evaluate(stateAt(0, 1e5)).patches.at(0);
+  const PatchResult patch = firstPatch(roundScene({}));
   EXPECT_EQ(patch.rail_stress.von_mises.value, 0);
   EXPECT_EQ(patch.wheel_stress.shakedown_limit, 0);
   EXPECT_TRUE(patch.rail_stress.field.empty());
@@ -32,9 +37,9 @@ TEST(PatchStress, IsNotComputedByDefault)
 // Semi-axes 6.4 and 5.4 mm: between 0.62 p0 at 0.48 a (circle, nu = 0.3) and 0.56 p0 at 0.70 b (line).
 TEST(PatchStress, OfAHertzContactIsThatOfTheExactPressure)
 {
-  WheelsetContact contact(roundScene({16, false}));
-  const PatchResult& patch = contact.evaluate(stateAt(0, 1e5)).patches.at(0);
-  const HertzContact hertz = round_bodies::exactContact(contact.config(), 0.05, 0, 1e5);
+  const ContactModelConfig scene = roundScene({16, false});
+  const PatchResult patch = firstPatch(scene);
+  const HertzContact hertz = round_bodies::exactContact(scene, 0.05, 0, 1e5);
   const double a = hertz.semi_axis_x, b = hertz.semi_axis_y;
   Eigen::ArrayXXd pressure(64, 64);
   const PatchGrid grid{64, 64, a / 30, b / 30, -31.5 * a / 30, -31.5 * b / 30};
@@ -62,8 +67,7 @@ TEST(PatchStress, LoadFactorUsesTheYieldStressOfEachBody)
   ContactModelConfig scene = roundScene({16, false});
   scene.wheel_material.left.yield = 600e6;
   scene.wheel_material.left.young = 2.0e11;
-  WheelsetContact contact(scene);
-  const PatchResult& patch = contact.evaluate(stateAt(0, 1e5)).patches.at(0);
+  const PatchResult patch = firstPatch(scene);
   EXPECT_NEAR(patch.wheel_stress.load_factor, patch.max_pressure * std::sqrt(3.0) / 600e6, 1e-12);
   EXPECT_EQ(patch.rail_stress.load_factor, 0);
   EXPECT_EQ(patch.wheel_stress.shakedown_limit, patch.rail_stress.shakedown_limit);
@@ -75,8 +79,7 @@ TEST(PatchStress, DependsOnPoissonsRatioOfTheBody)
 {
   ContactModelConfig scene = roundScene({16, false});
   scene.wheel_material.left.poisson = 0.45;
-  WheelsetContact contact(scene);
-  const PatchResult& patch = contact.evaluate(stateAt(0, 1e5)).patches.at(0);
+  const PatchResult patch = firstPatch(scene);
   EXPECT_LT(patch.wheel_stress.von_mises.value, 0.95 * patch.rail_stress.von_mises.value);
 }
 
@@ -197,15 +200,6 @@ class PatchFrameTest : public testing::Test
   ContactModelConfig scene_ = manchesterScene();
 };
 
-TEST_F(PatchFrameTest, OriginLiesOnThePlacedRail)
-{
-  const PlacedRail rail = restingRail(scene_, Side::left).deflected(scene_.rail_bending.prescribed);
-  for (const PatchResult& patch : patchesTo(6e-3, 0.002))
-  {
-    EXPECT_LT(distanceFrom(rail, sideSign(patch.side) * patch.pose.y, patch.pose.z), 1e-9);  // rounding: 1e-12 m
-  }
-}
-
 // The frame lies along the resultant of the pressure. At its origin the slope of the rail may differ by the turn of
 // rail and wheel over the patch: half a width of 8 mm on 80 mm is 0.05 rad on the tread.
 TEST_F(PatchFrameTest, NormalPointsOutOfTheRail)
@@ -221,10 +215,12 @@ TEST_F(PatchFrameTest, NormalPointsOutOfTheRail)
 
 // The normals of the cells differ from the resultant by at most the turn of the surfaces over the patch. The gap of the
 // wheel is inclined to the normal of the rail by at most 2 depth / half-width; on the flange this adds up to 0.1 %.
-TEST_F(PatchFrameTest, PressureLiesInsideTheGridAndItsResultantIsTheNormalForce)
+TEST_F(PatchFrameTest, OriginLiesOnTheRailAndTheNormalForceIsTheResultantOfThePressure)
 {
+  const PlacedRail rail = restingRail(scene_, Side::left).deflected(scene_.rail_bending.prescribed);
   for (const PatchResult& patch : patchesTo(6e-3, 0.002))
   {
+    EXPECT_LT(distanceFrom(rail, sideSign(patch.side) * patch.pose.y, patch.pose.z), 1e-9);  // rounding: 1e-12 m
     const Eigen::ArrayXXd& p = patch.pressure;
     ASSERT_EQ(p.rows(), patch.grid.nx);
     ASSERT_EQ(p.cols(), patch.grid.ny);

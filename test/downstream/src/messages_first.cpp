@@ -1,24 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Message headers first, core headers second: both can be used in one file.
-#include <type_traits>
-
-// clang-format off
-#include <wheel_rail_contact/WheelsetContact.h>
+// Message headers first, core headers second.
 #include <wheel_rail_contact/RailDeflection.h>
-#include "wheel_rail_contact/core/wheelset_contact.h"
-// clang-format on
+#include <wheel_rail_contact/WheelsetContact.h>
+#define COPY_INTO_MESSAGE messageBeforeCore
 
-// The message and the solver have the same name in different namespaces.
-static_assert(!std::is_same<wheel_rail_contact::WheelsetContact, wheel_rail_contact::core::WheelsetContact>::value,
-              "message and solver are different types");
-static_assert(!std::is_same<wheel_rail_contact::RailDeflection, wheel_rail_contact::core::RailDeflection>::value,
-              "message and core type are different types");
-
-/// Copies a deflection of the core into its message.
-wheel_rail_contact::RailDeflection messageBeforeCore(const wheel_rail_contact::core::RailResult& rail)
-{
-  wheel_rail_contact::RailDeflection message;
-  message.lateral = rail.deflection.lateral;
-  message.lateral_force = rail.lateral_force;
-  return message;
-}
+#include "core_first.cpp"
