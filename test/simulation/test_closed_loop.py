@@ -12,6 +12,7 @@ from sweep import Sweep
 from wheel_rail_contact.simulation.closed_loop import run_closed_loop
 from wheel_rail_contact.simulation.contact import HeldContact, open_contact
 from wheel_rail_contact.simulation.parameters import read_parameters, step_count
+from wheel_rail_contact.simulation.stability import Stability
 from wheel_rail_contact.simulation.wheelset import Wheelset
 
 
@@ -96,6 +97,17 @@ class ClosedLoop(unittest.TestCase):
         self.assertGreaterEqual(waves.count, 1)
         self.assertGreater(waves.drag, 20)
         self.assert_ratio(waves.friction_power, waves.drag * p["run"]["speed"], 0.02)
+
+    def test_small_waves_grow_as_the_linear_theory_states(self):
+        stability = Stability(read_parameters(), open_contact())
+        for speed, y, duration in ((25.0, 3e-4, 1.2), (50.0, 1e-4, 0.9)):
+            crossings, amplitudes = half_waves(read_parameters(run={"speed": speed, "y": y, "duration": duration}))
+            times = np.array(crossings[1:]) / speed  # after the first half wave, the other motions have decayed
+            motion = stability.motion(speed)
+            growth = np.polyfit(times, np.log(amplitudes[1:]), 1)[0]
+            self.assertAlmostEqual(growth, motion.growth, delta=0.1)  # grids within the tolerance of 1 % change it by 0.05
+            self.assert_ratio(1 / (2 * np.mean(np.diff(times))), motion.frequency, 0.01)
+            self.assertEqual(growth > 0, speed > 40)
 
     def test_stiff_guidance_damps_the_wave(self):
         p = read_parameters(run={"duration": 1.5})

@@ -82,6 +82,14 @@ class Commands(unittest.TestCase):
         np.testing.assert_allclose(rows["left_normal_force"] + rows["right_normal_force"], 200e3, rtol=0.01)
 
     @needs_module
+    def test_stability_is_printed_with_the_critical_speed(self):
+        status, out, error = run_here("--stability", 20, 60)
+        self.assertEqual((status, error), (0, ""))
+        self.assertRegex(out, r"^speed.*\n +20\.00 +-0\.\d+ +2\.\d+\n(.*\n){7} +60\.00 +2\.\d+ +6\.\d+\n"
+                              r"critical speed: 3\d\.\d m/s\n$")
+        self.assertIn("no critical speed from 20 to 21 m/s", run_here("--stability", 20, 21)[1])
+
+    @needs_module
     def test_program_reports_mistakes_and_a_full_disk(self):
         short, curve = ("--duration", "0.01"), self.folder / "curve.csv"
         curve.write_text("x [m],curvature [1/km]\n0,1\n9,1\n")
@@ -92,6 +100,8 @@ class Commands(unittest.TestCase):
                 (("--contact", "radio"), 2, "argument --contact: invalid choice: 'radio'"),
                 (("--speed", "-1"), 1, "simulate_wheelset: run/speed = -1 must be a finite number > 0\n"),
                 (("--contact", "topics", "--contact-config", "a.yaml"), 1, "a.yaml: only with --contact process"),
+                (("--stability", "5", "5"), 1, "--stability 5 5: must be above 0, and increase"),
+                (("--stability", "1", "5", "--out", "a.csv"), 1, "--out a.csv: must be omitted with --stability"),
                 (("--config", "missing.yaml"), 1, "missing.yaml: No such file"),
                 (("--contact-config", self.config("wheelset: {balance: wheel_loads}\n")), 1, "balance = wheel_loads must be"),
                 (("--contact-config", self.folder / "curve.yaml"), 1, "no forces of curvature, cant or gradient"),

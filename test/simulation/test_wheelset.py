@@ -3,6 +3,8 @@
 import unittest
 from types import SimpleNamespace
 
+import numpy as np
+
 from wheel_rail_contact.command import Failure
 from wheel_rail_contact.simulation.contact import HeldContact
 from wheel_rail_contact.simulation.parameters import read_parameters, step_count
@@ -57,6 +59,19 @@ class Motion(unittest.TestCase):
         spring = 2 * s["lateral_stiffness"] * self.p["run"]["y"]
         self.near(request.lateral_velocity, step * (5e3 - spring) / self.p["wheelset"]["mass"], 1e-12)
         self.near(request.yaw_rate, step * 2e3 / self.p["wheelset"]["yaw_inertia"], 1e-12)
+
+    def test_small_motions_are_those_of_masses_on_springs_and_of_a_gyroscope(self):
+        w, s, arm = self.p["wheelset"], self.p["suspension"], self.p["suspension"]["half_spacing"]**2
+        contact, compliance, rotation = np.zeros((3, 5)), 1e-6, 87.0
+        contact[2, 2] = compliance  # roll by torque [rad/(N m)]
+        values = np.linalg.eigvals(Wheelset(self.p).state_matrix(contact, rotation))
+        # The roll is that of compliance and springs under the torque I_y W yaw'; its rate acts as an inertia about z.
+        softness = compliance / (1 + compliance * 2 * arm * s["vertical_stiffness"])
+        inertia = w["yaw_inertia"] + softness * (w["spin_inertia"] * rotation)**2
+        lateral = np.sqrt(2 * s["lateral_stiffness"] / w["mass"])
+        yaw = np.sqrt(2 * arm * s["longitudinal_stiffness"] / inertia)
+        np.testing.assert_allclose(sorted(values.imag), sorted([-lateral, -yaw, yaw, lateral]), rtol=1e-12)
+        np.testing.assert_allclose(values.real, 0, atol=1e-9)
 
     def test_a_gyroscopic_wheelset_conserves_its_angular_momentum(self):
         # Without moments about z, I_z yaw' + I_y W roll is constant.
