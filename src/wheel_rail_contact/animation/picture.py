@@ -60,7 +60,8 @@ class Picture:
                                                      ("highest pressure [MPa]", "pressure"))):
             axis.set_title(title, fontsize=9, color=INK)
             for run, colour in zip(self.runs, COLOURS):
-                axis.plot(*interrupted(run.outward, getattr(run, values), loops(run.stamp)), color=colour, linewidth=1.4)
+                axis.plot(*interrupted([(run.outward[part], getattr(run, values)[part]) for part in loops(run.stamp)]),
+                          color=colour, linewidth=1.4)
                 self.cursors.append((axis.plot([], [], "o", color=colour, markersize=6)[0], run, values))
             axis.tick_params(labelsize=8)
             axis.grid(alpha=0.3)
