@@ -31,6 +31,10 @@ CONSTANT_FORCE = 10e3  # [N] of the limit k1 (10 kN + P0 / 3), with the static a
 Sample = namedtuple("Sample", "stamp x distance lateral vertical friction usable")
 Sample.__doc__ = """Stamp [s], places [m], forces Y and Q and the part of Y by friction of both wheels [N], whether usable."""
 
+History = namedtuple("History", "stamps places values counts friction")
+History.__doc__ = """Quantities of all results: values by their name in QUANTITIES, (n, 2) of the wheels or (n, 1) of the axle, NaN
+where there is none; counts of results without values and of restarts, by reason; whether any result has friction."""
+
 
 @dataclass
 class AxleLimits:
@@ -89,14 +93,13 @@ class Axle:
         self.counts = Counter()  # results without values or restarts, by reason
         self.friction = False    # whether any result has friction
         self.last = None         # stamp of the last usable result [s]
-        period = 1 / limits.low_pass if limits.low_pass else math.inf
-        self.longest = low_pass.LONGEST_STEP * period
-        self.settling = low_pass.SETTLING * period if limits.low_pass else 0.0
+        self.longest = low_pass.LONGEST_STEP / limits.low_pass if limits.low_pass else math.inf  # step of time [s]
+        self.settling = low_pass.SETTLING / limits.low_pass if limits.low_pass else 0.0          # [s]
 
     def _restart(self, sample):
         self.start = sample.stamp
-        self.filters = [LowPass(self.limits.low_pass, force) for force in (*sample.lateral, *sample.vertical)
-                        ] if self.limits.low_pass else []
+        unfiltered = (*sample.lateral, *sample.vertical) if self.limits.low_pass else ()
+        self.filters = [LowPass(self.limits.low_pass, force) for force in unfiltered]
         self.touched = [-math.inf, -math.inf]  # stamps since which the wheels may have a quotient
         self._restart_way(self.limits.where(sample))
 
@@ -156,19 +159,9 @@ class Axle:
             self.place = place
         means = [math.nan if math.isnan(value) else mean.step(abs(step) if mean.points else 0.0, value)
                  for mean, value in zip(self.means, values)]
-        if math.isnan(means[2]):
+        if any(math.isnan(mean) and not math.isnan(value) for mean, value in zip(means, values)):
             self.counts["results before the length of the mean is travelled"] += 1
         return means
-
-
-@dataclass
-class History:
-    """Quantities of all results: NaN where there is no value."""
-    stamps: np.ndarray
-    places: np.ndarray
-    values: dict     # name in QUANTITIES -> (n, 2) of the left and the right wheel, or (n, 1) of the axle
-    counts: Counter  # results without values, and restarts, by reason
-    friction: bool   # whether any result has friction
 
 
 def history(limits, samples):

@@ -19,7 +19,7 @@ def violation(name, limits, history):
     found = [(max(low - values[row, column], values[row, column] - high), row, column)
              for column in range(values.shape[1]) for row in _extremes(values[:, column], limits.percentile)]
     if not found:
-        return f"{symbol} has no value: {'; '.join(_missing(history)) or 'there are no results'}"
+        return f"{symbol} has no value: {'; '.join(remarks(limits, history)) or 'there are no results'}"
     excess, row, column = max(found)
     if excess <= 0:
         return ""
@@ -51,11 +51,7 @@ def treatment(name, limits):
     return ", ".join(parts) or "not filtered"
 
 
-def _missing(history):
-    return [f"{number} {reason}" for reason, number in history.counts.items()]
-
-
 def remarks(limits, history):
     """What was not compared, and what Y lacks, as texts."""
     lacks = [NO_FRICTION] if not history.friction and set(OF_Y) & set(limits.bounds) else []
-    return [*_missing(history), *lacks]
+    return [f"{number} {reason}" for reason, number in history.counts.items()] + lacks

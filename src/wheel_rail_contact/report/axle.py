@@ -54,7 +54,8 @@ def _figure(results, limits, found, path):
     """The quantities over time, each with its limits. Returns the path."""
     picture, axes = pyplot().subplots(len(found.values), 1, sharex=True, figsize=(10, 0.5 + 1.6 * len(found.values)),
                                       constrained_layout=True)
-    time, label = time_axis(results)
+    origin, label = time_axis(results)
+    time = results.stamp - origin
     for axis, (name, values) in zip(axes, found.values.items()):
         symbol, unit = QUANTITIES[name]
         unit, scale = KILO[unit]

@@ -99,15 +99,10 @@ def _drawn(rows, others):
              if zero and (pair[0].lines or pair[1].lines)])
 
 
-def _time_origin(results):
-    """Whole second from which times are drawn: 0, unless the digits of the stamps would not fit on the axis."""
-    return np.floor(results.stamp.min()) if results.stamp.min() > FAR else 0.0
-
-
 def time_axis(results):
-    """Times that are drawn [s], and the label of their axis."""
-    origin = _time_origin(results)
-    return results.stamp - origin, f"time [s], from {origin:.0f} s" if origin else "time [s]"
+    """Whole second from which times are drawn: 0, unless the digits of the stamps would not fit on the axis; and its label."""
+    origin = np.floor(results.stamp.min()) if results.stamp.min() > FAR else 0.0
+    return origin, f"time [s], from {origin:.0f} s" if origin else "time [s]"
 
 
 def _draw_row(axis, row, results, origin, dashed=False):
@@ -152,7 +147,7 @@ def histories(results, other, path):
     pairs, left_out = _drawn(_rows(results), _rows(other or results))
     picture, axes = pyplot().subplots(len(pairs), 1, sharex=True, figsize=(10, 0.5 + 1.4 * len(pairs)), squeeze=False,
                                       constrained_layout=True)
-    axes, origin = axes[:, 0], _time_origin(results)
+    axes, (origin, label) = axes[:, 0], time_axis(results)
     for axis, (row, other_row) in zip(axes, pairs):
         _draw_row(axis, row, results, origin)
         if other:
@@ -164,7 +159,7 @@ def histories(results, other, path):
     marks.draw(axes, results.stamp - origin, results)
     marks.legend(axes[0], results, entries)
     _draw_title(picture, results)
-    axes[-1].set_xlabel(time_axis(results)[1])
+    axes[-1].set_xlabel(label)
     if np.ptp(results.stamp) > 0:
         axes[-1].set_xlim(results.stamp.min() - origin, results.stamp.max() - origin)
     picture.align_ylabels(axes)
