@@ -24,5 +24,4 @@ class Failing(unittest.TestCase):
         self.assertRegex(results, r"normal_force \d+ N is above 120000 N at \S+ s, right wheel, y = -\S+ mm")
         self.assertRegex(results, r"sum Y -\d+ N is below -200000 N at \S+ s, distance = 0.000 m")
         self.assertRegex(results, r'failures="3"')
-        for passed in ("test_tight_area", "test_wide_axle_quotient", "test_wide_results"):
-            self.assertIn(passed, results)
+        self.assertTrue("test_tight_area" in results and "test_wide_axle_quotient" in results)

@@ -177,8 +177,7 @@ class Pictures(SweepCase):
         held = self.message(1, WheelsetContact.NOT_CONVERGED, (0,))
         held.held = True
         results = self.results([self.message(0), held, self.message(2)])
-        self.assertEqual([(label, chosen.tolist()) for label, _, chosen in marks.marks(results)],
-                         [("refused and held", [False, True, False])])
+        self.assertEqual([(m[0], m[2].tolist()) for m in marks.marks(results)], [("refused and held", [False, True, False])])
         self.assertNotIn(1, results.patches["result"])
         rejected = [WheelsetContact(status=status, header=self.messages[1].header)
                     for status in (WheelsetContact.INVALID_INPUT, WheelsetContact.NO_TRANSFORM, WheelsetContact.INVALID_INPUT)]
@@ -229,8 +228,8 @@ class Pictures(SweepCase):
 
     def test_limits_of_wheels_and_axle_are_drawn_and_judged_as_by_contact_check(self):
         table, states, bounds = (self.folder / name for name in ("hunting.csv", "hunting.bag", "bounds.yaml"))
-        for command in (["make_hunting_states", table], ["contact_states", table, states]):
-            subprocess.run([sys.executable, PACKAGE / "scripts" / command[0], *command[1:]], check=True, capture_output=True)
+        for name, *files in (("make_hunting_states", table), ("contact_states", table, states)):
+            subprocess.run([sys.executable, PACKAGE / "scripts" / name, *files], check=True, capture_output=True)
         bag = self.replay("hunted.bag", PACKAGE / "config" / "default.yaml", states)
         parameters = {"axle": {"low_pass": 20, "mean_length": 2, "static_load": 100e3, "bounds": {
             "lateral_force": {"max": 20e3}, "quotient": {"max": 0.1}, "unloading": {"max": 0.6}, "lateral_sum": {"k1": 1}}}}
@@ -247,4 +246,4 @@ class Pictures(SweepCase):
         drawing_of = drawn(axle, axle._figure, results, limits, found).axes[2]
         np.testing.assert_array_equal([line.get_ydata() for line in drawing_of.lines[:2]], found.values["quotient"].T)
         self.assertEqual(drawing_of.lines[2].get_ydata(), [0.1, 0.1])
-        self.assertIn("group axle", self.run_command(main, bag, "--out", self.folder / "none", "--limits", table, status=1))
+        self.assertIn("is no parameter file", self.run_command(main, bag, "--out", "none", "--limits", table, status=1))

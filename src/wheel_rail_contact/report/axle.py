@@ -3,9 +3,10 @@
 import numpy as np
 import yaml
 
-from ..checking.axle import QUANTITIES, Sample, history, read_axle_limits
+from ..checking.axle import QUANTITIES, Sample, history
 from ..checking.axle_verdict import remarks, treatment, violation
-from ..checking.parameters import BadParameter, merged
+from ..checking.bounds import read_nodes
+from ..checking.parameters import BadParameter
 from ..command import Failure, pyplot
 from ..message_constants import USABLE
 from . import marks
@@ -19,18 +20,16 @@ KILO = {"N": ("kN", 1e-3), "-": ("-", 1.0)}
 
 
 def read_limits(path, topic):
-    """AxleLimits from a parameter file of contact_check, of the node with this topic if the file lists nodes."""
+    """AxleLimits from a parameter file of contact_check: of the node with this topic, if the file has the group nodes."""
     try:
         with open(path, encoding="utf-8") as file:
-            parameters = yaml.safe_load(file)
-        for own in parameters.get("nodes", {}).values():
-            if own["topic"].strip("/") == topic.strip("/"):
-                parameters = merged(parameters, own)
-        return read_axle_limits(parameters["axle"])
-    except BadParameter as error:
-        raise Failure(f"{path}: {error}") from error
-    except (yaml.YAMLError, AttributeError, KeyError, TypeError) as error:
-        raise Failure(f"{path}: is no parameter file of contact_check with the group axle ({error})") from error
+            nodes = read_nodes(yaml.safe_load(file))
+    except (BadParameter, yaml.YAMLError, AttributeError) as error:
+        raise Failure(f"{path}: is no parameter file of contact_check: {error}") from error
+    for name, (of_node, limits) in nodes.items():
+        if limits.axle and (not name or of_node.strip("/") == topic.strip("/")):
+            return limits.axle
+    raise Failure(f"{path}: has no group axle for {topic}")
 
 
 def of_results(limits, results):
