@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_node works without its master and after malformed messages, and ends on signals, even during an evaluation."""
 
+import inspect
 import os
 import pathlib
 import re
@@ -190,7 +191,10 @@ class Endings(unittest.TestCase):
             self.addCleanup(command.kill)
             self.assertIn("master may not be running yet", command.stdout.readline())
             command.send_signal(signal_number)
-            self.assertEqual(command.communicate(timeout=TIMEOUT)[1], "\nprint_patches: interrupted\n")
+            errors = command.communicate(timeout=TIMEOUT)[1]
+            if "isAlive" in inspect.getsource(rospy.core.signal_shutdown):  # Debian 11: a traceback of rospy's own
+                errors = errors[errors.rindex("\n", 0, -1):]
+            self.assertEqual(errors, "\nprint_patches: interrupted\n")
             self.assertEqual(command.returncode, 130)
 
     def test_node_survives_its_master(self):
