@@ -88,8 +88,7 @@ class Cluster:
 class Case(ReplayCase):
     def setUp(self):
         super().setUp()
-        (self.folder / "grid.yaml").write_text(GRID)
-        self.options = ["--config", self.folder / "grid.yaml", "--no-grids"]
+        self.options = ["--config", self.config(GRID, "grid.yaml"), "--no-grids"]
         self.out = self.folder / "out"
 
     def command(self, *bags, slice=SLICE, more=()):

@@ -10,9 +10,8 @@ import subprocess
 import sys
 import tempfile
 
-import rosbag
 from campaign_case import PACKAGE, TIMEOUT, Case, Cluster, processes_of, run, skip_without_dask, wait_for
-from replay_case import load, pose, stamp
+from replay_case import pairs, pose, stamp
 from wheel_rail_contact.campaign.cluster import dask
 from wheel_rail_contact.command import Failure
 from wheel_rail_contact.msg import WheelsetContact
@@ -91,13 +90,10 @@ class ExternalCluster(Case):
         self.assertEqual([len(self.assert_done(bag)["slices"]) for bag in bags], [5, 1])
 
     def test_results_without_the_forces_of_a_neighbour_are_counted_over_all_slices(self):
-        soft = self.folder / "soft.yaml"
-        soft.write_text("rail_bending: {model: compliance, table: config/rails/pads_10_25.yaml,"
-                        " neighbours: [{topic: /neighbour, distance: 2.5}]}\n")
-        self.options += ["--config", soft]
-        bag = self.make_bag(500)
-        with rosbag.Bag(str(bag), "a") as file:
-            file.write("/neighbour", WheelsetContact(header=pose(399).header), stamp(399))
+        self.options += ["--config", self.config("rail_bending: {model: compliance, table: config/rails/pads_10_25.yaml,"
+                                                 " neighbours: [{topic: /neighbour, distance: 2.5}]}\n")]
+        neighbour = WheelsetContact(header=pose(399).header)
+        bag = self.write_bag([*pairs(range(500)), ("/neighbour", neighbour, stamp(399))])
         self.assertIn("/contact_node/contact: 400 results lack a neighbour's forces", self.campaign(bag))
         self.assertEqual(len(self.assert_done(bag)["done"]), 2)
 
@@ -121,17 +117,14 @@ class ExternalCluster(Case):
         self.assertEqual(len(self.manifest()["bags"][bag.name]["slices"]), 1)
 
     def test_topics_of_other_names_are_read_and_counted(self):
-        bag, plain = self.folder / "named.bag", self.make_bag(500, "plain.bag")
-        with rosbag.Bag(str(plain)) as source, rosbag.Bag(str(bag), "w") as named:
-            for topic, message, at in source.read_messages():
-                named.write("/vehicle/pose" if topic.endswith("pose") else "/axle/load", message, at)
+        bag = self.write_bag([("/vehicle/pose" if topic.endswith("pose") else "/axle/load", message, at)
+                              for topic, message, at in pairs(range(500))])
         self.options += ["--pose", "/vehicle/pose", "--load", "axle/load"]
         self.campaign(bag)
         self.assertEqual(len(self.assert_done(bag)["slices"]), 2)
 
     def use_measured_rail(self):
-        (self.folder / "rail.yaml").write_text(f"rail: {{profile: {MEASURED_RAIL}}}\n")
-        self.options += ["--config", self.folder / "rail.yaml"]
+        self.options += ["--config", self.config(f"rail: {{profile: {MEASURED_RAIL}}}\n")]
 
     def test_notes_on_profile_files_are_printed_once_and_are_no_faults(self):
         self.use_measured_rail()
@@ -158,12 +151,7 @@ class ExternalCluster(Case):
         self.assertIn('--load = "": must be the name of a topic', printed)
 
     def test_bag_in_which_most_poses_have_no_result_is_named(self):
-        bag = self.folder / "poor.bag"
-        with rosbag.Bag(str(bag), "w") as poor:
-            for i in range(1000):
-                poor.write("/wheelset/pose", pose(i), stamp(i))
-                if i < 400:
-                    poor.write("/wheelset/load", load(i), stamp(i))
+        bag = self.write_bag([one for i, one in enumerate(pairs(range(1000))) if i < 800 or i % 2 == 0], "poor.bag")
         good = self.make_bag(30, "good.bag")
         for size in (300, 5000):  # four slices, one slice
             self.out = self.folder / f"out_{size}"
@@ -173,13 +161,11 @@ class ExternalCluster(Case):
             self.assertEqual({tuple(record["faults"]) for record in self.manifest()["bags"]["poor.bag"]["done"]}, {()})
 
     def test_bag_in_which_most_input_is_unusable_is_named(self):
-        bag = self.folder / "poor.bag"
-        with rosbag.Bag(str(bag), "w") as poor:
-            for i in range(1000):
-                message = pose(i, "nowhere" if i < 300 else "track")
-                message.pose.orientation.w = 0 if 300 <= i < 600 else 1
-                poor.write("/wheelset/pose", message, stamp(i))
-                poor.write("/wheelset/load", load(i), stamp(i))
+        def change(i, there, _):
+            there.header.frame_id = "nowhere" if i < 300 else "track"
+            there.pose.orientation.w = 0 if 300 <= i < 600 else 1
+
+        bag = self.write_bag(pairs(range(1000), change=change), "poor.bag")
         for size in (5000, 300):  # one slice, four slices
             self.out = self.folder / f"out_{size}"
             printed = self.campaign(bag, status=4, slice=size)

@@ -1,8 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The example of a crossing: sections and states of make_crossing, their results and the report."""
-import os
-import subprocess
-
 import numpy as np
 import rosbag
 from line_case import LineCase
@@ -23,9 +20,7 @@ class Crossing(LineCase):
         """Bag of the results on the crossing."""
         self.make("--step", 0.01)
         self.run_command(states_command.main, self.folder / "crossing" / "states.csv", self.folder / "states.bag")
-        subprocess.run([os.environ["CONTACT_REPLAY"], self.folder / "states.bag", self.folder / "results.bag", "--config",
-                        self.folder / "crossing" / "crossing.yaml", *options], check=True, capture_output=True)
-        return self.folder / "results.bag"
+        return self.replayed(self.folder / "states.bag", "--config", self.folder / "crossing" / "crossing.yaml", *options)
 
     def test_heads_have_the_given_size(self):
         for middle, top, half_width in ((0.0, 0.0, 0.036), (0.1, -0.004, 0.02)):
@@ -104,13 +99,12 @@ class Crossing(LineCase):
     def test_results_on_constant_rails_have_no_sections(self):
         self.make("--step", 0.1)
         self.run_command(states_command.main, self.folder / "crossing" / "states.csv", self.folder / "states.bag")
-        (self.folder / "plain.yaml").write_text("wheel: {profile: S1002}\nrail: {profile: 60E1}\n")
-        subprocess.run([os.environ["CONTACT_REPLAY"], self.folder / "states.bag", self.folder / "plain.bag", "--config",
-                        self.folder / "plain.yaml"], check=True, capture_output=True)
-        results, _ = read(self.folder / "plain.bag")
+        config = self.config("wheel: {profile: S1002}\nrail: {profile: 60E1}\n")
+        plain = self.replayed(self.folder / "states.bag", "--config", config)
+        results, _ = read(plain)
         self.assertEqual(results.sections, [[], []])
         self.assertFalse(running_band.can_draw(results, 0))
-        with rosbag.Bag(str(self.folder / "plain.bag")) as bag:
+        with rosbag.Bag(str(plain)) as bag:
             _, message, _ = next(bag.read_messages())
         self.assertEqual(message.distance, message.wheelset.position.x)
 

@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The example of doc/line.md: states of a wheelset on a line with irregularities, their results and the report."""
-import os
-import subprocess
 from unittest import mock
 
 import numpy as np
@@ -30,11 +28,9 @@ class LineStates(LineCase):
     def replay(self, *options):
         """Results of the states on the line."""
         self.run_command(states_command.main, self.folder / "states.csv", self.folder / "states.bag")
-        (self.folder / "line.yaml").write_text("wheel: {profile: S1002}\nrail: {profile: 60E1}\n"
-                                               f"track: {{line: {self.folder}/line.csv}}\n")
-        subprocess.run([os.environ["CONTACT_REPLAY"], self.folder / "states.bag", self.folder / "results.bag", "--config",
-                        self.folder / "line.yaml", *options], check=True, capture_output=True)
-        return self.folder / "results.bag"
+        config = self.config("wheel: {profile: S1002}\nrail: {profile: 60E1}\n"
+                             f"track: {{line: {self.folder}/line.csv}}\n")
+        return self.replayed(self.folder / "states.bag", "--config", config, *options)
 
     def test_path_follows_the_alignment_by_the_equation_of_klingel(self):
         line, states = columns_of(self.folder / "line.csv"), self.states()

@@ -2,6 +2,7 @@
 """Shared by the tests of commands: what a command prints and draws, a temporary folder, and a full disk."""
 import contextlib
 import io
+import os
 import pathlib
 import resource
 import subprocess
@@ -56,3 +57,13 @@ class FolderCase(CommandCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
+
+    def config(self, text, name="my.yaml"):
+        """Writes a parameter file. @return its path"""
+        (self.folder / name).write_text(text)
+        return self.folder / name
+
+    def replayed(self, bag, *options, name="results.bag"):
+        """Path of the results of a bag by contact_replay."""
+        subprocess.run([os.environ["CONTACT_REPLAY"], bag, self.folder / name, *options], check=True, capture_output=True)
+        return self.folder / name

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Shared by the tests of contact_replay: bags of a wheelset with a periodic lateral motion, and runs of the program."""
 
+import csv
 import math
 import os
 import pathlib
@@ -9,7 +10,7 @@ import subprocess
 import genpy
 import rosbag
 from commands import FolderCase
-from geometry_msgs.msg import PoseStamped, WrenchStamped
+from geometry_msgs.msg import PoseStamped, TransformStamped, WrenchStamped
 
 PROGRAM = os.environ["CONTACT_REPLAY"]
 SHIPPED = pathlib.Path(__file__).resolve().parents[2] / "bags" / "manchester_sweep.bag"
@@ -42,18 +43,39 @@ def load(i):
     return message
 
 
-def write_pairs(bag, count, inputs="/wheelset"):
-    for i in range(count):
-        bag.write(inputs + "/pose", pose(i), stamp(i))
-        bag.write(inputs + "/load", load(i), stamp(i))
+def transform(y, nanoseconds=0):
+    """Transform of the frame "survey" to the track."""
+    message = TransformStamped()
+    message.header.stamp = time(nanoseconds)
+    message.header.frame_id, message.child_frame_id = "track", "survey"
+    message.transform.translation.y, message.transform.rotation.w = y, 1
+    return message
+
+
+def pairs(numbers, inputs="/wheelset", change=lambda i, pose, load: None):
+    """Yields poses and loads with their topics and stamps. `change` may alter the messages of a pair."""
+    for i in numbers:
+        messages = pose(i), load(i)
+        change(i, *messages)
+        for topic, message in zip(("pose", "load"), messages):
+            yield f"{inputs}/{topic}", message, stamp(i)
+
+
+def rows_of(path):
+    with open(path, encoding="utf-8") as table:
+        return list(csv.DictReader(table))
 
 
 class ReplayCase(FolderCase):
+    def write_bag(self, messages, name="in.bag", mode="w", **options):
+        """Writes messages with their topics and stamps. @return path of the bag"""
+        with rosbag.Bag(str(self.folder / name), mode, **options) as bag:
+            for message in messages:
+                bag.write(*message)
+        return self.folder / name
+
     def make_bag(self, count, name="in.bag", **options):
-        path = self.folder / name
-        with rosbag.Bag(str(path), "w", **options) as bag:
-            write_pairs(bag, count)
-        return path
+        return self.write_bag(pairs(range(count)), name, **options)
 
     def replay(self, bag, name="out.bag", *options, status=0):
         """Runs contact_replay. @return path of the bag of results, and the output of the program"""

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_replay on complete bags: every pair has a result, and each run gives the same bytes."""
 
-import csv
 import math
 import pty
 import os
@@ -9,11 +8,11 @@ import subprocess
 
 import rosbag
 from std_msgs.msg import String
-from geometry_msgs.msg import TransformStamped
 from tf2_msgs.msg import TFMessage
 from wheel_rail_contact.msg import WheelsetContact
 
-from replay_case import FEW_RESULTS, MISUSED, PROGRAM, SHIPPED, ReplayCase, load, pose, stamp, time, write_pairs
+from replay_case import (FEW_RESULTS, MISUSED, PROGRAM, SHIPPED, ReplayCase, pairs, pose, rows_of, stamp, time,
+                         transform)
 
 
 class WholeBags(ReplayCase):
@@ -49,23 +48,15 @@ class WholeBags(ReplayCase):
 
     def test_order_of_the_messages_in_the_file_does_not_matter(self):
         sorted_bag = self.make_bag(1500)
-        by_topic = self.folder / "by_topic.bag"
-        with rosbag.Bag(str(by_topic), "w", chunk_threshold=20000) as bag:
-            for i in range(1500):
-                bag.write("/wheelset/pose", pose(i), stamp(i))
-            for i in reversed(range(1500)):
-                bag.write("/wheelset/load", load(i), stamp(i))
+        messages = list(pairs(range(1500)))
+        by_topic = self.write_bag([*messages[::2], *messages[::-2]], "by_topic.bag", chunk_threshold=20000)
         out, _ = self.replay(sorted_bag, "out.bag", "--no-grids")
         other, _ = self.replay(by_topic, "other.bag", "--no-grids")
         self.assertEqual(len(self.results(out)), 1500)
         self.assertEqual(self.results(out), self.results(other))
 
     def test_replay_of_a_later_beginning_gives_the_same_results_from_the_next_second_on(self):
-        late = self.folder / "late.bag"
-        with rosbag.Bag(str(late), "w") as bag:
-            for i in range(950, 1300):
-                bag.write("/wheelset/pose", pose(i), stamp(i))
-                bag.write("/wheelset/load", load(i), stamp(i))
+        late = self.write_bag(pairs(range(950, 1300)), "late.bag")
 
         def from_next_second(bag, name):
             results = [r for r in self.results(self.replay(bag, name)[0]) if r.header.stamp >= time(2 * 10**9)]
@@ -78,14 +69,12 @@ class WholeBags(ReplayCase):
         self.assertEqual(results, from_next_second(self.make_bag(1300), "out.bag"))
 
     def test_invalid_inputs_have_a_status_and_unmatched_messages_are_counted(self):
-        path = self.folder / "in.bag"
-        with rosbag.Bag(str(path), "w") as bag:
-            for i in range(10):
-                message = pose(i, "nowhere" if i == 3 else "track")
-                message.pose.position.y = math.nan if i == 5 else 0
-                bag.write("/wheelset/pose", message, stamp(i))
-                if i != 7:
-                    bag.write("/wheelset/load", load(i), stamp(i))
+        def change(i, there, _):
+            there.header.frame_id = "nowhere" if i == 3 else "track"
+            there.pose.position.y = math.nan if i == 5 else 0
+
+        path = self.write_bag(message for message in pairs(range(10), change=change)
+                              if message[::2] != ("/wheelset/load", stamp(7)))
         out, printed = self.replay(path, "out.bag", "--csv", self.folder / "out.csv")
         expected = [WheelsetContact.OK] * 9
         expected[3] = WheelsetContact.NO_TRANSFORM
@@ -94,14 +83,12 @@ class WholeBags(ReplayCase):
         self.assertIn("1 messages dropped: no message with a matching stamp", printed)
         self.assertIn("INVALID_INPUT: 1", printed)
         self.assertIn("; first reason: pose: no transform from frame 'nowhere' to 'track' at the stamp", printed)
-        with open(self.folder / "out.csv", encoding="utf-8") as table:
-            rows = list(csv.DictReader(table))
+        rows = rows_of(self.folder / "out.csv")
         self.assertEqual([r["status"] for r in rows if r["side"] == ""], ["NO_TRANSFORM", "INVALID_INPUT"])
 
     def test_table_has_one_row_per_patch(self):
         out, _ = self.replay(SHIPPED, "out.bag", "--csv", self.folder / "out.csv")
-        with open(self.folder / "out.csv", encoding="utf-8") as table:
-            rows = list(csv.DictReader(table))
+        rows = rows_of(self.folder / "out.csv")
         patches = [(r, p) for r in self.results(out) for p in r.patches]
         self.assertEqual(len(rows), len(patches))
         for row, (result, patch) in zip(rows, patches):
@@ -116,41 +103,27 @@ class WholeBags(ReplayCase):
                 self.assertAlmostEqual(float(row[column]), value, delta=1e-8 * abs(value) + 1e-15)
 
     def test_results_of_a_wheelset_do_not_depend_on_other_wheelsets(self):
-        path = self.folder / "both.bag"
-        with rosbag.Bag(str(path), "w") as bag:
-            write_pairs(bag, 250, "/front/wheelset")
-            write_pairs(bag, 120, "/rear/wheelset")
+        path = self.write_bag([*pairs(range(250), "/front/wheelset"), *pairs(range(120), "/rear/wheelset")])
         out, _ = self.replay(path, "out.bag", "--threads", 2, "--wheelset", "front", "/rear")
         alone, _ = self.replay(self.make_bag(250), "alone.bag")
         self.assertEqual(self.results(out, "/front/contact_node/contact"), self.results(alone))
         self.assertEqual(self.results(out, "/rear/contact_node/contact"), self.results(alone)[:120])
 
     def test_other_topics_are_kept_but_not_results_of_an_earlier_run(self):
-        path = self.make_bag(20)
-        with rosbag.Bag(str(path), "a") as bag:
-            bag.write("/remark", String("dry rail"), stamp(10))
-            bag.write("/contact_node/contact", WheelsetContact(), stamp(10))
+        path = self.write_bag([*pairs(range(20)), ("/remark", String("dry rail"), stamp(10)),
+                               ("/contact_node/contact", WheelsetContact(), stamp(10))])
         out, _ = self.replay(path, "out.bag", "--keep-topics")
         self.assertEqual(len(self.results(out)), 20)
         self.assertEqual([m.data for m in self.results(out, "/remark")], ["dry rail"])
         self.assertEqual([m.header.stamp for m in self.results(out, "/wheelset/load")], [stamp(i) for i in range(20)])
 
     def test_poses_wait_for_transforms_as_in_the_live_node(self):
-        def transform(nanoseconds, y):
-            message = TransformStamped()
-            message.header.stamp = time(nanoseconds)
-            message.header.frame_id, message.child_frame_id = "track", "survey"
-            message.transform.translation.y = y
-            message.transform.rotation.w = 1
-            return message
+        def change(_, there, __):
+            there.header.frame_id = "survey"
 
-        path = self.folder / "in.bag"
-        with rosbag.Bag(str(path), "w") as bag:
-            for i in range(200):
-                bag.write("/wheelset/pose", pose(i, "survey"), stamp(i))
-                bag.write("/wheelset/load", load(i), stamp(i))
-                if i % 50 == 0 and i <= 50:  # the stamps of the first 51 pairs are between two transforms
-                    bag.write("/tf", TFMessage([transform(stamp(i).to_nsec(), 1e-5 * i)]), stamp(i))
+        # The stamps of the first 51 pairs are between two transforms.
+        transforms = [("/tf", TFMessage([transform(1e-5 * i, stamp(i).to_nsec())]), stamp(i)) for i in (0, 50)]
+        path = self.write_bag([*pairs(range(200), change=change), *transforms])
         results = self.results(self.replay(path, status=FEW_RESULTS)[0])
         self.assertEqual([r.status for r in results],
                          [WheelsetContact.OK] * 51 + [WheelsetContact.NO_TRANSFORM] * 149)
@@ -158,12 +131,10 @@ class WholeBags(ReplayCase):
             self.assertAlmostEqual(results[i].wheelset.position.y, pose(i).pose.position.y + 1e-5 * i, delta=1e-12)
 
     def test_parameter_files_are_applied_over_the_defaults(self):
-        (self.folder / "a.yaml").write_text("contact: {tolerance: 0.1}\nrail: {profile: UIC60_manchester}\n")
-        (self.folder / "b.yaml").write_text("contact: {method: hertz}\n")
-        out, _ = self.replay(SHIPPED, "out.bag", "--config", self.folder / "a.yaml", "--config", self.folder / "b.yaml")
+        first = self.config("contact: {tolerance: 0.1}\nrail: {profile: UIC60_manchester}\n", "a.yaml")
+        out, _ = self.replay(SHIPPED, "out.bag", "--config", first, "--config", self.config("contact: {method: hertz}\n"))
         self.assertEqual({p.method for r in self.results(out) for p in r.patches}, {"hertz"})
-        (self.folder / "bad.yaml").write_text("contact: {tolerence: 0.1}\n")
-        _, printed = self.replay(SHIPPED, "bad.bag", "--config", self.folder / "bad.yaml", status=MISUSED)
+        _, printed = self.replay(SHIPPED, "bad.bag", "--config", self.config("contact: {tolerence: 0.1}\n"), status=MISUSED)
         self.assertIn("contact/tolerence", printed)
 
     def test_existing_files_are_not_overwritten(self):

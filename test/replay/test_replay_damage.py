@@ -13,7 +13,7 @@ import rosbag
 from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
 
-from replay_case import DAMAGED, PROGRAM, ReplayCase, stamp, write_pairs
+from replay_case import DAMAGED, PROGRAM, ReplayCase, pairs, stamp
 
 CHUNK = 20000  # [B] about 30 pairs
 FIRST = 4117   # [B] place of the first chunk, after magic and bag header
@@ -39,35 +39,28 @@ class DamagedBags(ReplayCase):
         self.assertIn(reason, printed)
         return self.results(out)
 
-    def crashed_bag(self, count):
-        """A bag whose only chunk was not closed."""
+    def crashed_bag(self, count, chunk=10**7):
+        """A bag whose last chunk was not closed."""
         crashed = self.folder / "crashed.bag"
-        with rosbag.Bag(str(self.folder / "recording.bag"), "w", chunk_threshold=10**7) as bag:
-            write_pairs(bag, count)
+        with rosbag.Bag(str(self.folder / "recording.bag"), "w", chunk_threshold=chunk) as bag:
+            for message in pairs(range(count)):
+                bag.write(*message)
             bag._file.flush()
             shutil.copy(self.folder / "recording.bag", crashed)
         return crashed
 
     def test_bag_of_a_crashed_recorder_is_evaluated_up_to_its_last_message(self):
-        crashed = self.folder / "crashed.bag"
-        with rosbag.Bag(str(self.folder / "recording.bag"), "w", chunk_threshold=CHUNK) as bag:
-            write_pairs(bag, 250)
-            bag.flush()
-            bag._file.flush()
-            shutil.copy(self.folder / "recording.bag", crashed)
-        self.assertEqual(self.results_of_damaged(crashed, "not closed"), self.expected)
+        self.assertEqual(self.results_of_damaged(self.crashed_bag(250, CHUNK), "not closed"), self.expected)
 
     def test_open_chunk_of_a_crashed_recorder_is_read_as_far_as_possible(self):
         crashed = self.crashed_bag(200)
-        with open(crashed, "r+b") as file:
-            file.truncate(crashed.stat().st_size - 100)
+        os.truncate(crashed, crashed.stat().st_size - 100)
         self.assertEqual(self.results_of_damaged(crashed, "not closed"), self.expected[:199])
 
     def test_truncated_file_is_evaluated_up_to_its_end(self):
         for compression in ("none", "bz2", "lz4"):
             cut = self.make_bag(250, f"cut_{compression}.bag", chunk_threshold=CHUNK, compression=compression)
-            with open(cut, "r+b") as file:
-                file.truncate(int(0.6 * cut.stat().st_size))
+            os.truncate(cut, int(0.6 * cut.stat().st_size))
             out, printed = self.replay(cut, compression + ".bag", "--no-grids", status=DAMAGED)
             results = self.results(out)
             self.assertIn("no usable index", printed)
@@ -85,8 +78,7 @@ class DamagedBags(ReplayCase):
 
     def test_truncated_chunk_of_a_reindexed_bag_is_read_although_its_index_is_empty(self):
         cut = self.make_bag(250, "cut.bag", chunk_threshold=10**7)
-        with open(cut, "r+b") as file:
-            file.truncate(int(0.6 * cut.stat().st_size))
+        os.truncate(cut, int(0.6 * cut.stat().st_size))
         results = self.results_of_damaged(self.reindexed(cut), "the index of the bag does not list the records from byte")
         self.assertTrue(150 < len(results) < 250, len(results))
         self.assertEqual(results, self.expected[:len(results)])
@@ -94,8 +86,7 @@ class DamagedBags(ReplayCase):
 
     def test_truncated_chunk_before_the_index_is_read_up_to_the_index(self):
         cut = self.make_bag(250, "cut.bag", chunk_threshold=CHUNK)
-        with open(cut, "r+b") as file:
-            file.truncate(int(0.6 * cut.stat().st_size))
+        os.truncate(cut, int(0.6 * cut.stat().st_size))
         content = self.reindexed(cut).read_bytes()  # without the truncated chunk, which is inserted again
         field = content.index(b"index_pos=") + len(b"index_pos=")
         index, = struct.unpack("<Q", content[field:field + 8])
@@ -123,11 +114,8 @@ class DamagedBags(ReplayCase):
             self.assertGreater(len(stamps), 120)
 
     def test_chunks_after_a_damaged_first_chunk_are_read(self):
-        bag = self.folder / "remarks.bag"
-        with rosbag.Bag(str(bag), "w", chunk_threshold=CHUNK, compression="bz2") as file:
-            for i in range(300):
-                file.write("/remark", String(f"remark {i} " + 90 * "."), stamp(0))
-            write_pairs(file, 100)
+        remarks = [("/remark", String(f"remark {i} " + 90 * "."), stamp(0)) for i in range(300)]
+        bag = self.write_bag([*remarks, *pairs(range(100))], "remarks.bag", chunk_threshold=CHUNK, compression="bz2")
         content = bytearray(bag.read_bytes())
         content[FIRST + 150:FIRST + 200] = bytes(50)
         bag.write_bytes(content[:-200])  # the index is cut off
@@ -136,7 +124,8 @@ class DamagedBags(ReplayCase):
     def test_chunks_are_read_up_to_the_limit_of_their_total_size(self):
         bag = self.folder / "expanding.bag"
         with rosbag.Bag(str(bag), "w", chunk_threshold=CHUNK, compression="bz2") as file:
-            write_pairs(file, 100)
+            for message in pairs(range(100)):
+                file.write(*message)
             file.flush()
             for i in range(3):
                 file.write("/remark", String(2**20 * "."), stamp(200 + i))
@@ -150,8 +139,7 @@ class DamagedBags(ReplayCase):
 
     def test_bag_without_readable_topics_is_reported_with_reason(self):
         bag = self.make_bag(250, "cut.bag", chunk_threshold=CHUNK, compression="bz2")
-        with open(bag, "r+b") as file:
-            file.truncate(4500)
+        os.truncate(bag, 4500)
         _, printed = self.replay(bag, "out.bag", status=1)
         self.assertIn("no topic /wheelset/", printed)
         self.assertIn("no usable index", printed)
@@ -182,8 +170,7 @@ class DamagedBags(ReplayCase):
     def test_file_hole_after_a_crashed_recording_allocates_limited_memory(self):
         usual, _ = self.peak_memory(self.folder / "whole.bag", 0)
         crashed = self.crashed_bag(200)
-        with open(crashed, "r+b") as file:
-            file.truncate(crashed.stat().st_size + 2 * 2**30)
+        os.truncate(crashed, crashed.stat().st_size + 2 * 2**30)
         peak, printed = self.peak_memory(crashed)
         self.assertIn("only the first 256 MiB are read", printed)
         self.assertLess(peak, usual + 300)  # 256 MiB are 268 MB

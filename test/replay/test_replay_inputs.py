@@ -1,14 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_replay with displacements of the rails and distances in the bag."""
 
-import csv
 import math
 
-import rosbag
 from geometry_msgs.msg import PointStamped, TwistStamped
 from wheel_rail_contact.msg import RailDisplacements, WheelsetContact
 
-from replay_case import ReplayCase, load, pose, stamp
+from replay_case import ReplayCase, load, pose, rows_of, stamp
 
 PAIRS = 40
 TOPICS = "track: {displacement: topic, distance: topic}\n"
@@ -38,19 +36,10 @@ def twist(i, speed=20.0, rotation=0.0, frame="track"):
 
 
 class Inputs(ReplayCase):
-    def config(self, text, name="my.yaml"):
-        path = self.folder / name
-        path.write_text(text)
-        return path
-
     def write(self, name, messages):
         """Writes a bag. @param messages function: number of a pair -> its messages by topic"""
-        path = self.folder / name
-        with rosbag.Bag(str(path), "w") as bag:
-            for i in range(PAIRS):
-                for topic, message in messages(i).items():
-                    bag.write(f"/wheelset/{topic}", message, stamp(i))
-        return path
+        return self.write_bag([(f"/wheelset/{topic}", message, stamp(i)) for i in range(PAIRS)
+                               for topic, message in messages(i).items()], name)
 
     def test_rails_displaced_with_the_wheelset_give_the_same_contact(self):
         def moved(i):
@@ -82,8 +71,7 @@ class Inputs(ReplayCase):
         bag = self.write("in.bag", lambda i: {"pose": pose(i), "load": load(i), "distance": distance(i),
                                               "rail_displacement": displacements(i, *rails)})
         out, _ = self.replay(bag, "out.bag", "--config", config, "--csv", self.folder / "out.csv")
-        with open(self.folder / "out.csv", encoding="utf-8") as table:
-            rows = {int(row["result [-]"]): row for row in csv.DictReader(table)}
+        rows = {int(row["result [-]"]): row for row in rows_of(self.folder / "out.csv")}
         for i, result in enumerate(self.results(out)):
             for side, rail, given in zip(("left", "right"), (result.left_rail, result.right_rail), rails):
                 self.assertEqual((rail.given_lateral, rail.given_vertical, rail.given_roll), given)

@@ -64,8 +64,7 @@ class Migration(ReplayCase):
         self.assertEqual(counts, {"wheel_rail_contact/WheelsetContact": 196, "wheel_rail_contact/RailDisplacements": 9})
 
     def test_old_messages_are_refused_with_the_remedy(self):
-        config = self.folder / "my.yaml"
-        config.write_text("track: {displacement: topic}\n")
+        config = self.config("track: {displacement: topic}\n")
         bag = self.folder / "in.bag"
         with rosbag.Bag(str(self.make_bag(3, "pairs.bag"))) as pairs, rosbag.Bag(str(OLD)) as old, \
                 rosbag.Bag(str(bag), "w") as mixed:

@@ -4,11 +4,11 @@
 import math
 import pathlib
 
-import rosbag
 import yaml
+from std_msgs.msg import Header
 from wheel_rail_contact.msg import RailDisplacements, WheelsetContact
 
-from replay_case import MISUSED, RESULTS, ReplayCase, stamp, write_pairs
+from replay_case import MISUSED, RESULTS, ReplayCase, pairs, stamp
 
 PAIRS = 30
 INCLINATION = 0.025
@@ -38,13 +38,8 @@ def offset(rail):
 class Neighbours(ReplayCase):
     def setUp(self):
         super().setUp()
-        self.soft, self.behind = self.folder / "soft.yaml", self.folder / "behind.yaml"
-        self.soft.write_text(SOFT)
-        self.behind.write_text(BEHIND)
-        self.bag = self.folder / "in.bag"
-        with rosbag.Bag(str(self.bag), "w") as bag:
-            for wheelset in "front", "behind":
-                write_pairs(bag, PAIRS, f"/{wheelset}/wheelset")
+        self.soft, self.behind = self.config(SOFT, "soft.yaml"), self.config(BEHIND, "behind.yaml")
+        self.bag = self.write_bag([*pairs(range(PAIRS), "/front/wheelset"), *pairs(range(PAIRS), "/behind/wheelset")])
 
     def test_forces_of_the_previous_step_of_the_neighbour_deflect_the_rails(self):
         both, _ = self.replay(self.bag, "both.bag", "--config", self.soft, "--wheelset", "front", "--no-grids",
@@ -70,13 +65,11 @@ class Neighbours(ReplayCase):
 
     def test_given_displacements_are_added_to_those_by_the_neighbour(self):
         given = {"left_rail": (4e-4, -1e-4, 5e-4), "right_rail": (-3e-4, 2e-4, -6e-4)}
-        with rosbag.Bag(str(self.bag), "a") as bag:
-            for i in range(PAIRS):
-                message = RailDisplacements()
-                message.header.stamp = stamp(i)
-                for rail, values in zip((message.left, message.right), given.values()):
-                    rail.lateral, rail.vertical, rail.roll = values
-                bag.write("/behind/wheelset/rail_displacement", message, stamp(i))
+        message = RailDisplacements()
+        for rail, values in zip((message.left, message.right), given.values()):
+            rail.lateral, rail.vertical, rail.roll = values
+        messages = [RailDisplacements(Header(stamp=stamp(i)), message.left, message.right) for i in range(PAIRS)]
+        self.write_bag([("/behind/wheelset/rail_displacement", one, one.header.stamp) for one in messages], self.bag.name, "a")
         both, _ = self.replay(self.bag, "both.bag", "--config", self.soft, "--wheelset", "front", "--no-grids",
                               "--keep-topics")
         self.behind.write_text(BEHIND + "track: {displacement: topic}\n")

@@ -5,12 +5,11 @@ import os
 import subprocess
 
 import rosbag
-from geometry_msgs.msg import TransformStamped
-from std_msgs.msg import String
+from std_msgs.msg import Header, String
 from tf2_msgs.msg import TFMessage
-from wheel_rail_contact.msg import WheelsetContact
+from wheel_rail_contact.msg import RailDeflection, WheelsetContact
 
-from replay_case import FEW_RESULTS, MISUSED, ReplayCase, load, pose, time
+from replay_case import FEW_RESULTS, MISUSED, ReplayCase, load, pose, time, transform
 
 JOIN = os.environ["CONTACT_JOIN"]
 START = 1_700_000_000 * 10**9  # recording time of the first message [ns]
@@ -24,8 +23,7 @@ class Parts(ReplayCase):
     def setUp(self):
         super().setUp()
         self.bag = self.folder / "in.bag"
-        (self.folder / "grid.yaml").write_text(GRID)
-        self.options = ["--no-grids", "--config", self.folder / "grid.yaml"]
+        self.options = ["--no-grids", "--config", self.config(GRID, "grid.yaml")]
 
     def write(self, seconds=11, pace=1, inputs=("/wheelset",), frame="track", left_out=(), back_at=None, refused=(), step=STEP,
               **also):
@@ -83,8 +81,7 @@ class Parts(ReplayCase):
         # Runs of refused states at the cuts, across whole seconds, and one that is longer than HoldLast::memory.
         refused = {*range(75, 86), *range(149, 153), *range(250, 455), *range(530, 560)}
         self.write(seconds=31, refused=refused)
-        (self.folder / "hold.yaml").write_text("contact: {hold_last: 8}\n")
-        whole, printed = self.assert_parts_equal_the_whole("--config", self.folder / "hold.yaml",
+        whole, printed = self.assert_parts_equal_the_whole("--config", self.config("contact: {hold_last: 8}\n"),
                                                            cuts=(4.013, 7.52, 7.6, 22.3, 22.6, 26.72, 27.0))
         held = [i for i, result in enumerate(self.results(whole)) if result.held]
         self.assertEqual(held, [*range(75, 83), *range(149, 153), *range(250, 258), *range(530, 538)])
@@ -97,8 +94,7 @@ class Parts(ReplayCase):
         # the second cut (1385), it is repeated from the beginning of its slice, 385 inputs before.
         refused = range(1200, 1390)
         self.write(seconds=4, step=2_000_000, refused=refused)
-        (self.folder / "hold.yaml").write_text("contact: {hold_last: 190}\n")
-        options = ["--config", self.folder / "hold.yaml", "--threads"]
+        options = ["--config", self.config("contact: {hold_last: 190}\n"), "--threads"]
         whole, _ = self.replay(self.bag, "whole.bag", *self.options, *options, 1)
         joined, _ = self.join(self.parts(*options, 3, cuts=(2.3, 2.77, 3.71)))
         self.assert_same_file(whole, joined)
@@ -112,36 +108,21 @@ class Parts(ReplayCase):
         self.assertEqual(len(self.results(whole, "/remark")), 11)
 
     def test_results_of_neighbours_in_the_previous_second_are_used(self):
-        result = WheelsetContact()
-        result.left_rail.lateral_force = 20e3
-        messages = []
-        for i in range(11 * 20):
-            result.header.stamp = time(100 * 10**9 + i * STEP)
-            result.right_rail.lateral_force = 100 * i
-            messages.append((i * STEP + LATE, WheelsetContact(header=type(result.header)(stamp=result.header.stamp),
-                                                              left_rail=result.left_rail,
-                                                              right_rail=type(result.right_rail)(lateral_force=100 * i))))
-        self.write(neighbour=messages)
-        (self.folder / "n.yaml").write_text("rail_bending: {model: compliance, table: config/rails/pads_10_25.yaml,"
-                                            " neighbours: [{topic: /neighbour, distance: 2.5}]}\n")
-        self.assert_parts_equal_the_whole("--config", self.folder / "n.yaml", cuts=(7.513,))
+        self.write(neighbour=[(i * STEP + LATE, WheelsetContact(header=Header(stamp=time(100 * 10**9 + i * STEP)),
+                                                                left_rail=RailDeflection(lateral_force=20e3),
+                                                                right_rail=RailDeflection(lateral_force=100 * i)))
+                              for i in range(11 * 20)])
+        config = self.config("rail_bending: {model: compliance, table: config/rails/pads_10_25.yaml,"
+                             " neighbours: [{topic: /neighbour, distance: 2.5}]}\n")
+        self.assert_parts_equal_the_whole("--config", config, cuts=(7.513,))
 
     def test_parts_with_transforms_and_slop_equal_the_replay_of_the_whole_bag(self):
-        transform = TransformStamped()
-        transform.header.frame_id, transform.child_frame_id = "track", "survey"
-        transform.transform.translation.y = 1e-3
-        transform.transform.rotation.w = 1
-        self.write(frame="survey", tf_static=[(0, TFMessage([transform]))])
-        (self.folder / "slop.yaml").write_text("sync: {slop: 0.06}\n")
-        whole, _ = self.assert_parts_equal_the_whole("--config", self.folder / "slop.yaml", cuts=(7.513,))
+        self.write(frame="survey", tf_static=[(0, TFMessage([transform(1e-3)]))])
+        whole, _ = self.assert_parts_equal_the_whole("--config", self.config("sync: {slop: 0.06}\n"), cuts=(7.513,))
         self.assertEqual({r.status for r in self.results(whole)}, {WheelsetContact.OK})
 
     def test_static_transforms_of_a_first_part_are_read_before_a_later_one(self):
-        transform = TransformStamped()
-        transform.header.frame_id, transform.child_frame_id = "track", "survey"
-        transform.transform.translation.y = 1e-3
-        transform.transform.rotation.w = 1
-        self.write(seconds=1, frame="survey", tf_static=[(0, TFMessage([transform]))])
+        self.write(seconds=1, frame="survey", tf_static=[(0, TFMessage([transform(1e-3)]))])
         whole, _ = self.replay(self.bag, "whole.bag", *self.options)
         first = self.bag.rename(self.folder / "first.bag")
         self.write(seconds=1, frame="survey")

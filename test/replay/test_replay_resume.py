@@ -8,7 +8,7 @@ import time
 
 import rosbag
 
-from replay_case import INTERRUPTED, PROGRAM, RESULTS, ReplayCase, load, pose, stamp
+from replay_case import INTERRUPTED, PROGRAM, RESULTS, ReplayCase, pairs
 
 PAIRS = 3000
 REFUSED = 20  # length of a run of refused states
@@ -20,23 +20,18 @@ class Interrupted(ReplayCase):
     def setUp(self):
         super().setUp()
         self.bag = self.make_bag(PAIRS)
-        (self.folder / "hold.yaml").write_text(f"contact: {{hold_last: {HELD}}}\n")
-        self.options = ["--keep-topics", "--threads", "2", "--config", self.folder / "hold.yaml"]
+        self.options = ["--keep-topics", "--threads", "2", "--config", self.config(f"contact: {{hold_last: {HELD}}}\n")]
 
     def make_bag(self, count, name="in.bag"):
         """Writes pairs; in half of them the wheelset is beside the rails. Most of their results are held.
 
         At 0.09 m the search for the contact ends without one, which takes 20 times the time of another state: one run of ten.
         The other runs are beyond the accepted positions."""
-        path = self.folder / name
-        with rosbag.Bag(str(path), "w") as bag:
-            for i in range(count):
-                message = pose(i)
-                if i % (2 * REFUSED) >= REFUSED:
-                    message.pose.position.y = 0.12 if i // (2 * REFUSED) % 10 else 0.09
-                bag.write("/wheelset/pose", message, stamp(i))
-                bag.write("/wheelset/load", load(i), stamp(i))
-        return path
+        def change(i, there, _):
+            if i % (2 * REFUSED) >= REFUSED:
+                there.pose.position.y = 0.12 if i // (2 * REFUSED) % 10 else 0.09
+
+        return self.write_bag(pairs(range(count), change=change), name)
 
     def interrupt(self, name, signal_number, size=1.5 * CHUNK):
         """Starts a run, and ends it when its bag is larger than `size` [B]. @return path of the bag, and the exit status"""
@@ -96,8 +91,7 @@ class Interrupted(ReplayCase):
     def test_resuming_with_other_parameters_is_refused(self):
         out, _ = self.interrupt("out.bag", signal.SIGINT)
         before = out.read_bytes()
-        (self.folder / "other.yaml").write_text("contact: {tolerance: 0.05}\n")
-        printed = self.resume(out, "--config", self.folder / "other.yaml", status=1)
+        printed = self.resume(out, "--config", self.config("contact: {tolerance: 0.05}\n", "other.yaml"), status=1)
         self.assertIn("cannot be resumed", printed)
         self.assertTrue(out.read_bytes() == before)
 

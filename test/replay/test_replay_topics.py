@@ -1,22 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_replay on bags whose input topics have other names (--pose, --load and others)."""
 
-import rosbag
-from geometry_msgs.msg import PointStamped
+from geometry_msgs.msg import Point, PointStamped
 
-from replay_case import MISUSED, ReplayCase, load, pose, stamp
+from replay_case import MISUSED, ReplayCase, load, pairs, pose, stamp
 
 PAIRS = 60
 
 
 class Topics(ReplayCase):
     def write(self, pose_topic, load_topic, *further, name="named.bag"):
-        path = self.folder / name
-        with rosbag.Bag(str(path), "w") as bag:
-            for i in range(PAIRS):
-                for topic, message in (pose_topic, pose(i)), (load_topic, load(i)), *((f, load(i)) for f in further):
-                    bag.write(topic, message, stamp(i))
-        return path
+        return self.write_bag([(topic, message, stamp(i)) for i in range(PAIRS) for topic, message in
+                               ((pose_topic, pose(i)), (load_topic, load(i)), *((f, load(i)) for f in further))], name)
 
     def test_inputs_of_other_names_give_the_same_results(self):
         expected = self.results(self.replay(self.make_bag(PAIRS), "plain.bag")[0])
@@ -27,13 +22,8 @@ class Topics(ReplayCase):
             self.assertEqual(self.results(out), expected)
 
     def test_names_without_a_slash_are_relative_to_the_namespace_of_each_wheelset(self):
-        path = self.folder / "both.bag"
-        with rosbag.Bag(str(path), "w") as bag:
-            for i in range(PAIRS):
-                for wheelset, pairs in ("front", PAIRS), ("rear", 40):
-                    if i < pairs:
-                        bag.write(f"/{wheelset}/axle", pose(i), stamp(i))
-                        bag.write(f"/{wheelset}/wheelset/load", load(i), stamp(i))
+        both = [*pairs(range(PAIRS), "/front/wheelset"), *pairs(range(40), "/rear/wheelset")]
+        path = self.write_bag([(topic.replace("wheelset/pose", "axle"), message, at) for topic, message, at in both])
         out, _ = self.replay(path, "out.bag", "--wheelset", "front", "rear", "--pose", "axle")
         self.assertEqual([len(self.results(out, f"/{wheelset}/contact_node/contact")) for wheelset in ("front", "rear")],
                          [PAIRS, 40])
@@ -44,14 +34,10 @@ class Topics(ReplayCase):
 
     def test_every_input_can_be_named(self):
         bag = self.write("/pose", "/load", "/left", "/right")
-        with rosbag.Bag(str(bag), "a") as file:
-            for i in range(PAIRS):
-                place = PointStamped(header=pose(i).header)
-                place.point.x = 100 + i
-                file.write("/place", place, stamp(i))
-        config = self.folder / "my.yaml"
-        config.write_text("track: {distance: topic}\nrail_bending: {model: compliance, lateral_force: topic, "
-                          "table: config/rails/pads_40_100.yaml}\n")
+        places = [PointStamped(pose(i).header, Point(x=100 + i)) for i in range(PAIRS)]
+        self.write_bag([("/place", place, place.header.stamp) for place in places], bag.name, "a")
+        config = self.config("track: {distance: topic}\nrail_bending: {model: compliance, lateral_force: topic, "
+                             "table: config/rails/pads_40_100.yaml}\n")
         out, _ = self.replay(bag, "out.bag", "--config", config, "--pose", "pose", "--load", "load",
                              "--left-rail-force", "left", "--right-rail-force", "/right", "--distance", "place")
         self.assertEqual([result.distance for result in self.results(out)], [100 + i for i in range(PAIRS)])
@@ -92,8 +78,7 @@ class Topics(ReplayCase):
 
     def test_topic_of_another_type_is_refused(self):
         bag = self.write("/wheelset/pose", "/wheelset/load")
-        with rosbag.Bag(str(bag), "a") as file:
-            file.write("/other_pose", pose(0), stamp(0))
+        self.write_bag([("/other_pose", pose(0), stamp(0))], bag.name, "a")
         _, printed = self.replay(bag, "out.bag", "--load", "/other_pose", status=1)
         self.assertIn("topic /other_pose is of type geometry_msgs/PoseStamped, not geometry_msgs/WrenchStamped", printed)
 

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_replay does not end with 0 if the input of most poses is unusable, although each of them has a result."""
 
-import rosbag
 from wheel_rail_contact.msg import WheelsetContact
 
-from replay_case import DOUBTFUL_LOADS, FEW_RESULTS, ReplayCase, load, pose, stamp
+from replay_case import DOUBTFUL_LOADS, FEW_RESULTS, ReplayCase, pairs, pose, stamp
 
 PAIRS = 20
 
@@ -23,17 +22,9 @@ def beside_the_rails(message):
 
 
 class UnusableInput(ReplayCase):
-    def write(self, change, changed, count=PAIRS):
+    def write(self, change, changed):
         """Writes pairs. @param changed number of the first poses that `change` alters"""
-        path = self.folder / "in.bag"
-        with rosbag.Bag(str(path), "w") as bag:
-            for i in range(count):
-                message = pose(i)
-                if i < changed:
-                    change(message)
-                bag.write("/wheelset/pose", message, stamp(i))
-                bag.write("/wheelset/load", load(i), stamp(i))
-        return path
+        return self.write_bag(pairs(range(PAIRS), change=lambda i, there, _: i < changed and change(there)))
 
     def test_bag_without_usable_input_does_not_end_with_0(self):
         for change, status in ((without_direction, WheelsetContact.INVALID_INPUT),
@@ -48,16 +39,12 @@ class UnusableInput(ReplayCase):
         for factor, torque, words in ((1e-3, 0, "the mean wheel load is 100 N: loads must be in N, not in kN or t"),
                                       (-1, 0, "the mean wheel load is -100 kN, upward: "),
                                       (1, 1e6, "a wheel lifts in all results: unit or sign of torque.x?")):
-            path = self.folder / "loads.bag"
-            with rosbag.Bag(str(path), "w") as bag:
-                for i in range(PAIRS):
-                    message = load(i)
-                    message.wrench.force.z *= factor
-                    message.wrench.torque.x = torque
-                    bag.write("/wheelset/pose", pose(i), stamp(i))
-                    bag.write("/wheelset/load", message, stamp(i))
+            def change(_, __, forces):
+                forces.wrench.force.z, forces.wrench.torque.x = -200e3 * factor, torque
+
             with self.subTest(words=words):
-                _, printed = self.replay(path, f"{torque}{factor}.bag", status=DOUBTFUL_LOADS)
+                bag = self.write_bag(pairs(range(PAIRS), change=change))
+                _, printed = self.replay(bag, f"{torque}{factor}.bag", status=DOUBTFUL_LOADS)
                 self.assertEqual(printed.count(words), 2)  # in the summary, and as the reason of the status
 
     def test_half_of_the_input_must_be_usable(self):
@@ -68,9 +55,7 @@ class UnusableInput(ReplayCase):
 
     def test_dropped_poses_and_unusable_input_count_together(self):
         path = self.write(without_direction, 6)
-        with rosbag.Bag(str(path), "a") as bag:
-            for i in range(PAIRS, PAIRS + 9):
-                bag.write("/wheelset/pose", pose(i), stamp(i))
+        self.write_bag([("/wheelset/pose", pose(i), stamp(i)) for i in range(PAIRS, PAIRS + 9)], path.name, "a")
         _, printed = self.replay(path, status=FEW_RESULTS)
         self.assertIn("only 14 of 29 poses have a result of usable input", printed)
 
@@ -84,14 +69,7 @@ class UnusableInput(ReplayCase):
 
     def test_resumed_replay_counts_the_results_that_are_in_the_bag(self):
         count = 2000  # the results fill several chunks of the output
-        path = self.write(without_direction, 0, count)
-        with rosbag.Bag(str(path)) as bag:
-            messages = list(bag.read_messages())
-        with rosbag.Bag(str(path), "w") as bag:
-            for number, (topic, message, at) in enumerate(messages):
-                if topic.endswith("pose") and number % 10 < 6:
-                    without_direction(message)
-                bag.write(topic, message, at)
+        path = self.write_bag(pairs(range(count), change=lambda i, there, _: i % 5 < 3 and without_direction(there)))
         out, printed = self.replay(path, status=FEW_RESULTS)
         summary = printed.splitlines()[1:]
         self.assertIn(f"only {2 * count // 5} of {count} poses have a result of usable input", summary[-1])

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The shipped bag of the paper's case is the output of its script, and gives the values of doc/paper.md."""
 import filecmp
-import os
 import pathlib
 import subprocess
 import sys
@@ -18,10 +17,8 @@ CONFIG = PACKAGE / "config" / "paper.yaml"
 
 class PaperBag(FolderCase):
     def first_left_patch(self, name, *configs):
-        out = self.folder / name
         options = [word for config in configs for word in ("--config", config)]
-        subprocess.run([os.environ["CONTACT_REPLAY"], SHIPPED, out, "--no-grids", *options], check=True, capture_output=True)
-        with rosbag.Bag(str(out)) as bag:
+        with rosbag.Bag(str(self.replayed(SHIPPED, "--no-grids", *options, name=name))) as bag:
             results = [message for _, message, _ in bag.read_messages()]
         self.assertEqual(len(results), 66)
         return next(patch for patch in results[0].patches if patch.side == 0)
@@ -32,9 +29,9 @@ class PaperBag(FolderCase):
         self.assertLess(SHIPPED.stat().st_size, 50e3)
 
     def test_replay_gives_the_values_of_the_case(self):
-        (self.folder / "rigid.yaml").write_text("rail_bending: {model: none}\n")
+        rigid = self.config("rail_bending: {model: none}\n")
         # The values of the table were computed on a finer grid. 0.3 %: the tolerance of paper.yaml is 0.2 %.
-        for configs, pressure, area in (((CONFIG, self.folder / "rigid.yaml"), 1182e6, 186.1e-6),
+        for configs, pressure, area in (((CONFIG, rigid), 1182e6, 186.1e-6),
                                         ((CONFIG,), 1246e6, 180.1e-6)):
             patch = self.first_left_patch(f"{len(configs)}.bag", *configs)
             self.assertAlmostEqual(patch.max_pressure, pressure, delta=3e-3 * pressure)

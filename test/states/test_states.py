@@ -2,7 +2,6 @@
 """contact_states: conversion of tables to bags and back, in all units and axes, without loss."""
 import filecmp
 import math
-import os
 import pathlib
 import subprocess
 import sys
@@ -196,9 +195,7 @@ class States(StatesCase):
             # Pure rolling: the yaw is the slope of the path. 0.03 %: central difference, step 0.1 m, wavelength 16.5 m.
             slope = (after.y - before.y) / (after.x - before.x)
             self.assertAlmostEqual(slope, state.yaw, delta=3e-4 * 1.53e-3)
-        out = self.folder / "out.bag"
-        subprocess.run([os.environ["CONTACT_REPLAY"], self.folder / "hunting.bag", out, "--no-grids"], check=True,
-                       capture_output=True)
+        out = self.replayed(self.folder / "hunting.bag", "--no-grids")
         with rosbag.Bag(str(out)) as bag:
             results = [message for _, message, _ in bag.read_messages()]
         self.assertEqual({result.status for result in results}, {0})

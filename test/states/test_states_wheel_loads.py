@@ -12,10 +12,6 @@ METRE_GAUGE = ("track: {gauge: 1.000}\nwheelset: {flange_back_distance: 0.925, r
 
 
 class WheelLoads(StatesCase):
-    def config(self, text, name="my.yaml"):
-        (self.folder / name).write_text(text)
-        return self.folder / name
-
     def assert_distance(self, distance, source, *options):
         """The wheel loads act at this distance [m], which is printed with its source."""
         (state,), printed = self.convert(TABLE, *options)
@@ -43,10 +39,8 @@ class WheelLoads(StatesCase):
             with self.subTest(gauge=name):
                 config = self.config(text, f"{name}.yaml")
                 self.run_states("in.csv", f"{name}.bag", "--config", config)
-                out = self.folder / f"{name}_results.bag"
-                subprocess.run([os.environ["CONTACT_REPLAY"], self.folder / f"{name}.bag", out, "--config", config],
-                               check=True, capture_output=True)
-                with rosbag.Bag(str(out)) as bag:
+                results = self.replayed(self.folder / f"{name}.bag", "--config", config, name=f"{name}_results.bag")
+                with rosbag.Bag(str(results)) as bag:
                     (_, result, _), = bag.read_messages()
                 self.assertEqual(result.status, 0, result.status_text)
                 # The balance meets the loads to a tenth of the tolerance of 1 %.
