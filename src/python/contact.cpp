@@ -101,13 +101,15 @@ core::WheelsetResult evaluate(ContactModel& model, const Eigen::ArrayXd& numbers
   return model.evaluate(stateOf({numbers, {}}, 0));
 }
 
-/// Evaluates sequences of states without the interpreter. Ctrl-C ends the evaluation, and an exception of
-/// `progress(done, count)`, which may be None.
-ManyResults evaluateStates(const ContactModel& model, const StateTable& table, std::vector<std::size_t> ends,
-                           const ManyOptions& options, const py::object& progress)
+/// Evaluates sequences of states, with their ends, without the interpreter. Ctrl-C ends the evaluation, and an
+/// exception of `progress(done, count)`, which may be None.
+ManyResults evaluateStates(const ContactModel& model, const Eigen::ArrayXd& common,
+                           std::map<std::size_t, Eigen::ArrayXd> columns,
+                           const Eigen::Array<std::size_t, Eigen::Dynamic, 1>& ends, int threads, bool keep_results,
+                           const py::object& progress)
 {
   bool interrupted = false;
-  const std::size_t count = ends.empty() ? 0 : ends.back();
+  const std::size_t count = ends.size() == 0 ? 0 : ends.tail<1>()(0);
   const auto is_interrupted = [&](std::size_t done)
   {
     const py::gil_scoped_acquire interpreter;
@@ -128,8 +130,10 @@ ManyResults evaluateStates(const ContactModel& model, const StateTable& table, s
   ManyResults results(0);
   {
     const py::gil_scoped_release released;
-    const auto state = [&table](std::size_t i) { return stateOf(table, i); };
-    results = evaluateMany(model.config(), {state, std::move(ends)}, options, is_interrupted);
+    const StateTable table{common, std::move(columns)};
+    const StateSequences sequences{[&table](std::size_t i) { return stateOf(table, i); },
+                                   {ends.data(), ends.data() + ends.size()}};
+    results = evaluateMany(model.config(), sequences, {threads, keep_results}, is_interrupted);
   }
   if (interrupted)
   {
@@ -169,14 +173,7 @@ void bindModel(py::module& module)
   py::class_<ContactModel>(module, "ContactModel")
       .def(py::init<const std::vector<ParameterSource>&>())
       .def("evaluate", &evaluate, Released())
-      .def("evaluate_many",
-           [](const ContactModel& model, const Eigen::ArrayXd& common, std::map<std::size_t, Eigen::ArrayXd> columns,
-              const Eigen::Array<std::size_t, Eigen::Dynamic, 1>& ends, int threads, bool keep_results,
-              const py::object& progress)
-           {
-             return evaluateStates(model, {common, std::move(columns)}, {ends.data(), ends.data() + ends.size()},
-                                   {threads, keep_results}, progress);
-           })
+      .def("evaluate_many", &evaluateStates)
       .def(
           "stiffness", [](ContactModel& model, const std::string& side) { return model.stiffness(sideOf(side)); },
           Released())

@@ -61,6 +61,17 @@ std::vector<std::future<void>> start(std::size_t threads, const Work& work)
   }
   return workers;
 }
+
+/// Names of the status as an array.
+py::object namesOf(const ManyResults& many)
+{
+  py::list names;
+  for (const core::ContactStatus status : many.status)
+  {
+    names.append(nameOf(status));
+  }
+  return py::module::import("numpy").attr("array")(names, "U");
+}
 }  // namespace
 
 ManyResults::ManyResults(std::size_t count) : status(count), status_text(count)
@@ -210,18 +221,7 @@ void bindMany(py::module& module)
                           "Numbers of the results of n states. Arrays of both sides are (n, 2), left first; all are "
                           "read-only, and NaN where a result is not usable.")
       .def("__len__", [](const ManyResults& many) { return many.status.size(); })
-      .def_property_readonly(
-          "status",
-          [](const ManyResults& many)
-          {
-            py::list names;
-            for (const core::ContactStatus status : many.status)
-            {
-              names.append(nameOf(status));
-            }
-            return py::module::import("numpy").attr("array")(names, "U");
-          },
-          "(n,) names of the status")
+      .def_property_readonly("status", &namesOf, "(n,) names of the status")
       .def_property_readonly(
           "usable", [](const ManyResults& many) { return many.usable(); }, "(n,) True if the status is OK or LIFT_OFF")
       .def_readonly("status_text", &ManyResults::status_text, "list of n reasons, empty if there is none")

@@ -205,14 +205,7 @@ class EarlierNames(unittest.TestCase):
             self.assertEqual(self.result.left_rail.given_lateral, 1e-3)
 
 
-class StartOfTheCalculation(unittest.TestCase):
-    def test_after_a_reset_the_result_is_that_of_a_new_object(self):
-        contact, new = WheelsetContact(), WheelsetContact()
-        contact.evaluate(y=5e-3, force_z=LOAD)
-        contact.reset()
-        a, b = contact.evaluate(y=2e-3, force_z=LOAD), new.evaluate(y=2e-3, force_z=LOAD)
-        np.testing.assert_array_equal(a.patches[0].pressure, b.patches[0].pressure)
-
+class Stiffness(unittest.TestCase):
     def test_stiffness_is_that_of_the_last_result(self):
         contact = WheelsetContact()
         self.assertFalse(contact.stiffness("left").any())
