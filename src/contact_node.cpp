@@ -11,17 +11,17 @@
 #include <thread>
 #include <utility>
 
-#include "ros/node/contact_server.h"
+#include "ros/node/vehicle_server.h"
 
 namespace
 {
-using wheel_rail_contact::ContactServer;
+using wheel_rail_contact::VehicleServer;
 
 constexpr std::chrono::milliseconds end_timeout(500);  ///< for the current evaluation when the node ends
 
 /// Ends the server. If the current evaluation exceeds the timeout, ends the process instead: its result would not be
 /// published.
-void end(std::unique_ptr<ContactServer> server)
+void end(std::unique_ptr<VehicleServer> server)
 {
   std::promise<void> ended;
   std::thread guard(
@@ -44,7 +44,7 @@ int main(int argc, char** argv)
   {
     ros::init(argc, argv, "contact_node");
     std::signal(SIGTERM, [](int) { ros::requestShutdown(); });  // as roscpp does at SIGINT
-    auto server = std::make_unique<ContactServer>(ros::NodeHandle(), ros::NodeHandle("~"));
+    auto server = std::make_unique<VehicleServer>(ros::NodeHandle(), ros::NodeHandle("~"));
     ros::spin();
     end(std::move(server));
     return EXIT_SUCCESS;

@@ -4,16 +4,16 @@
 #include <memory>
 #include <pluginlib/class_list_macros.hpp>
 
-#include "ros/node/contact_server.h"
+#include "ros/node/vehicle_server.h"
 
 namespace wheel_rail_contact
 {
 class ContactNodelet : public nodelet::Nodelet
 {
  private:
-  void onInit() override { server_ = std::make_unique<ContactServer>(getNodeHandle(), getPrivateNodeHandle()); }
+  void onInit() override { server_ = std::make_unique<VehicleServer>(getNodeHandle(), getPrivateNodeHandle()); }
 
-  std::unique_ptr<ContactServer> server_;
+  std::unique_ptr<VehicleServer> server_;
 };
 }  // namespace wheel_rail_contact
 

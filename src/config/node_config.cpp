@@ -8,6 +8,7 @@
 #include "config/body_parameters.h"
 #include "config/model_files.h"
 #include "config/parameter_reader.h"
+#include "config/wheelset_list.h"
 
 namespace wheel_rail_contact
 {
@@ -239,6 +240,8 @@ void readMarkers(ParameterReader& reader, MarkerConfig& markers)
 /// Reads all parameters; the names that are not read here are unknown.
 void readAll(ParameterReader& reader, NodeConfig& config, ModelFiles& files)
 {
+  reader.refuseIf(!readWheelsetList(reader).names.empty(), wheelset_list::names,
+                  "[] for a single wheelset: a node with several splits the parameters before");
   readTrack(reader, config, files);
   readWheelset(reader, config.model.wheelset);
   readPublished(reader, config);

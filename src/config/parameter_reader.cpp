@@ -113,6 +113,18 @@ void ParameterReader::read(const std::string& name, std::vector<std::string>& wo
   }
 }
 
+void ParameterReader::read(const std::string& name, std::vector<double>& numbers)
+{
+  std::vector<std::string> words;
+  read(name, words);
+  for (const std::string& word : words)
+  {
+    const auto number = parseNumber(word);
+    refuseIf(!number || !std::isfinite(*number), name, "a list of finite numbers");
+    numbers.push_back(*number);
+  }
+}
+
 std::vector<ParameterReader> ParameterReader::readGroups(const std::string& name)
 {
   std::vector<ParameterReader> groups;

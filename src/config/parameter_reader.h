@@ -51,6 +51,8 @@ class ParameterReader
   void read(const std::string& name, std::string& value);
   /// Reads a list of strings.
   void read(const std::string& name, std::vector<std::string>& words);
+  /// Reads a list of finite numbers.
+  void read(const std::string& name, std::vector<double>& numbers);
   /// Reads one of several words, and sets `value` to its constant.
   template <typename Choice>
   void read(const std::string& name, const std::vector<std::pair<std::string, Choice>>& choices, Choice& value);

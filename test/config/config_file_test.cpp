@@ -52,9 +52,9 @@ TEST(ConfigFile, MistakesAreRefusedByName)
   EXPECT_EQ(refusal("track: {gauge: wide}"), "parameter track/gauge = wide must be a finite number");
   EXPECT_TRUE(contains(refusal("sync: {slop: -1}"), "sync/slop = -1"));
   EXPECT_EQ(refusal("trak: {gauge: 1.435}"),
-            "parameter trak/gauge is unknown; known names: contact, creep, diagnostics, markers, material, rail, "
-            "rail_bending, stress, "
-            "sync, track, wheel, wheelset");
+            "parameter trak/gauge is unknown; known names: contact, creep, diagnostics, markers, material, "
+            "neighbour_reach, rail, "
+            "rail_bending, stress, sync, track, wheel, wheelset, wheelset_places, wheelsets");
   EXPECT_TRUE(contains(refusal("track: {gauge: 1.435"), "parameters: "));
   EXPECT_TRUE(contains(refusal("wheel: {profile: missing.prw}"),
                        "wheel/profile = missing.prw: no such file: missing.prw (searched: "));

@@ -63,7 +63,9 @@ std::vector<std::string> parameterNames()
   std::vector<std::string> names;
   for (const std::string& group : knownNames("{unknown: 1}"))
   {
-    const std::vector<std::string> members = knownNames("{" + group + ": {unknown: 1}}");
+    const bool is_value = defaults().count(group) > 0;  // outside of groups
+    const std::vector<std::string> members =
+        is_value ? std::vector<std::string>{group} : knownNames("{" + group + ": {unknown: 1}}");
     names.insert(names.end(), members.begin(), members.end());
   }
   return names;

@@ -2,12 +2,14 @@
 #include <thread>
 
 #include "../manchester_scene.h"
+#include "../refusal.h"
 #include "../usual_headers.h"
 #include "ros/evaluation/contact_evaluator.h"
 #include "ros/evaluation/contact_input.h"
 #include "ros/evaluation/transform_store.h"
 #include "ros/node/newest_queue.h"
 #include "ros/parameters/node_parameters.h"
+#include "ros/parameters/vehicle_parameters.h"
 
 using namespace wheel_rail_contact;
 
@@ -125,6 +127,75 @@ TEST(NodeParameters, ParameterServerTypesAreConvertedToYaml)
   EXPECT_EQ(tree.at("d").size(), 2U);
   EXPECT_TRUE(tree.at("e").IsSequence());
   EXPECT_TRUE(parameterTree(toYaml(XmlRpc::XmlRpcValue())).empty());
+}
+
+namespace
+{
+XmlRpc::XmlRpcValue fromYaml(const YAML::Node& node)
+{
+  XmlRpc::XmlRpcValue value;
+  node.IsSequence() ? value.setSize(0) : static_cast<void>(value);
+  for (std::size_t i = 0; node.IsSequence() && i < node.size(); ++i)
+  {
+    value[static_cast<int>(i)] = fromYaml(node[i]);
+  }
+  for (auto entry = node.begin(); node.IsMap() && entry != node.end(); ++entry)
+  {
+    value[entry->first.Scalar()] = fromYaml(entry->second);
+  }
+  return node.IsScalar() ? XmlRpc::XmlRpcValue(node.Scalar()) : value;
+}
+
+/// Parameters of each wheelset as flow YAML, after its name.
+std::vector<std::string> split(const std::string& yaml)
+{
+  std::vector<std::string> texts;
+  for (const auto& wheelset :
+       wheelsetParameters(fromYaml(YAML::Load(yaml)), "/vehicle/",
+                          [](const std::string& name) { return "/" + name + "/vehicle/contact"; }))
+  {
+    YAML::Emitter text;
+    text << YAML::Flow << toYaml(wheelset.values);
+    texts.push_back(wheelset.name + " " + text.c_str());
+  }
+  return texts;
+}
+}  // namespace
+
+TEST(WheelsetParameters, AreThoseOfAllWithThoseOfTheGroupAboveThem)
+{
+  EXPECT_TRUE(split("{contact: {method: hertz}}").empty());
+  EXPECT_TRUE(split("{wheelsets: []}").empty());
+  EXPECT_EQ(
+      split("{wheelsets: [b, a_1], contact: {method: hertz, hold_last: 2}, a_1: {contact: {hold_last: 3}, x: 1}}"),
+      (std::vector<std::string>{"b {contact: {hold_last: 2, method: hertz}}",
+                                "a_1 {contact: {hold_last: 3, method: hertz}, x: 1}"}));
+}
+
+TEST(WheelsetParameters, WheelsetsWithinTheReachAreNeighboursUnlessAListIsGiven)
+{
+  EXPECT_EQ(split("{wheelsets: [a, b, c], wheelset_places: [4.5, 2, 0], neighbour_reach: 2,"
+                  "c: {rail_bending: {neighbours: []}}}"),
+            (std::vector<std::string>{"a {rail_bending: {neighbours: []}}",
+                                      "b {rail_bending: {neighbours: [{distance: 2, topic: /c/vehicle/contact}]}}",
+                                      "c {rail_bending: {neighbours: []}}"}));
+}
+
+TEST(WheelsetParameters, BadListsAreRefusedByName)
+{
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"[a, b, a]", "/vehicle/wheelsets = [a, b, a] must be a list of different names: 'a' is given twice"},
+      {"[a, 1b]", "'1b' is none"},
+      {"[a/b]", "'a/b' is none"},
+      {"front", "/vehicle/wheelsets = front must be a list of strings"},
+      {"[a], wheelset_places: [0, 1]", "/vehicle/wheelset_places = [0, 1] must be [] or a list with a place for each"},
+      {"[a], wheelset_places: [here]", "/vehicle/wheelset_places = [here] must be a list of finite numbers"},
+      {"[a], neighbour_reach: 3", "/vehicle/neighbour_reach = 3 must be 0 without wheelset_places"},
+      {"[a], a: 3", "/vehicle/a = 3 must be a group: the parameters of this wheelset"}};
+  for (const auto& [list, message] : cases)
+  {
+    EXPECT_TRUE(contains(refusalOf([&, value = list] { split("{wheelsets: " + value + "}"); }), message));
+  }
 }
 
 TEST(TransformStore, FarStampCostsOneTransformAndEndsNothing)

@@ -61,7 +61,7 @@ class InputDiagnostic : public diagnostic_updater::TopicDiagnostic
   double least_ = config_.min_rate, largest_ = std::numeric_limits<double>::infinity();  ///< rates [Hz]
 };
 
-/// Implementation of node and nodelet: subscribes to the input topics; publishes results, markers and diagnostics;
+/// One wheelset of node and nodelet: subscribes to the input topics; publishes results, markers and diagnostics;
 /// provides the services (ContactServices).
 ///
 /// The callbacks only pair the messages, at arrival. A separate thread evaluates the pairs in order and publishes the
@@ -82,6 +82,9 @@ class ContactServer
   ~ContactServer();
   ContactServer(const ContactServer&) = delete;
   ContactServer& operator=(const ContactServer&) = delete;
+
+  /// Services of this wheelset.
+  ContactServices& services() { return services_; }
 
  private:
   void advertise();

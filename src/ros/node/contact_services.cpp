@@ -19,7 +19,8 @@ NodeConfig withSolvedHeight(NodeConfig config)
 }
 
 /// Input of a request: the messages that the configuration requires (inputTopics()); the others are null.
-ContactInput inputOf(const EvaluateWheelset::Request& request, const NodeConfig& config)
+template <typename Request>
+ContactInput inputOf(const Request& request, const NodeConfig& config)
 {
   ContactInput input;
   const std::vector<InputTopic> topics = inputTopics(config);
@@ -39,6 +40,20 @@ ContactInput inputOf(const EvaluateWheelset::Request& request, const NodeConfig&
   take(InputTopic::twist, request.twist, input.twist);
   return input;
 }
+
+/// A task in a queue of roscpp.
+struct QueuedTask : ros::CallbackInterface
+{
+  explicit QueuedTask(std::packaged_task<WheelsetContact()> function) : task(std::move(function)) {}
+
+  CallResult call() override
+  {
+    task();
+    return Success;
+  }
+
+  std::packaged_task<WheelsetContact()> task;
+};
 }  // namespace
 
 ContactServices::ContactServices(const ros::NodeHandle& private_nh, const NodeConfig& config,
@@ -60,8 +75,12 @@ void ContactServices::advertise(Service& service, const std::string& name, ros::
 {
   using Callback = boost::function<bool(EvaluateWheelset::Request&, EvaluateWheelset::Response&)>;
   service.server = own.advertiseService(
-      name, Callback([this, &service](EvaluateWheelset::Request& request, EvaluateWheelset::Response& response)
-                     { return evaluate(service, request, response); }));
+      name, Callback(
+                [this, &service](EvaluateWheelset::Request& request, EvaluateWheelset::Response& response)
+                {
+                  response.contact = resultOf(service, request);
+                  return true;
+                }));
 }
 
 ContactServices::~ContactServices()
@@ -78,8 +97,17 @@ ServiceCounts ContactServices::counts() const
   return counts_;
 }
 
-bool ContactServices::evaluate(Service& service, const EvaluateWheelset::Request& request,
-                               EvaluateWheelset::Response& response)
+std::future<WheelsetContact> ContactServices::evaluate(const WheelsetInput& input)
+{
+  const auto task = boost::make_shared<QueuedTask>(
+      std::packaged_task<WheelsetContact()>([this, input] { return resultOf(evaluate_, input); }));
+  std::future<WheelsetContact> result = task->task.get_future();
+  queue_.addCallback(task);
+  return result;
+}
+
+template <typename Request>
+WheelsetContact ContactServices::resultOf(Service& service, const Request& request)
 {
   try
   {
@@ -94,19 +122,18 @@ bool ContactServices::evaluate(Service& service, const EvaluateWheelset::Request
     ContactInput input = inputOf(request, service.config);
     input.arrival = ros::WallTime::now();
     const ContactOutput output = service.chain->evaluate(input, [this] { return ended_.load(); });
-    response.contact = toMessage(output, true);
     const std::lock_guard<std::mutex> lock(mutex_);
     ++(counts_.*service.results);
     counts_.unusable += isUsable(output.status) ? 0U : 1U;
     counts_.lacking_neighbour += output.lacks_neighbour ? 1U : 0U;
-    return true;
+    return toMessage(output, true);
   }
   catch (const std::exception& error)
   {
     ROS_ERROR_THROTTLE(1.0, "internal error in a service: %s", error.what());
     const std::lock_guard<std::mutex> lock(mutex_);
     ++counts_.failed;
-    return false;
+    throw;
   }
 }
 }  // namespace wheel_rail_contact

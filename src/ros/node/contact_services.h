@@ -6,11 +6,13 @@
 
 #include <atomic>
 #include <cstdint>
+#include <future>
 #include <memory>
 #include <mutex>
 #include <string>
 
 #include <wheel_rail_contact/EvaluateWheelset.h>
+#include <wheel_rail_contact/WheelsetInput.h>
 #include "config/node_config.h"
 #include "ros/evaluation/contact_statistics.h"
 #include "ros/node/evaluation_chain.h"
@@ -38,6 +40,11 @@ class ContactServices
   ContactServices(const ContactServices&) = delete;
   ContactServices& operator=(const ContactServices&) = delete;
 
+  /// Evaluates an input as a request of `~evaluate`, in its turn. Thread-safe.
+  /// @return its result. The future has an exception after an internal error, and stays empty if the services end
+  /// before.
+  std::future<WheelsetContact> evaluate(const WheelsetInput& input);
+
   /// Requests of both services so far. Thread-safe.
   ServiceCounts counts() const;
 
@@ -52,7 +59,10 @@ class ContactServices
   };
 
   void advertise(Service& service, const std::string& name, ros::NodeHandle& own);
-  bool evaluate(Service& service, const EvaluateWheelset::Request& request, EvaluateWheelset::Response& response);
+  /// @param request the messages of the input topics
+  /// @throw std::exception after an internal error, which is logged and counted.
+  template <typename Request>
+  WheelsetContact resultOf(Service& service, const Request& request);
 
   const TransformStore& transforms_;
   const NeighbourForces& neighbours_;

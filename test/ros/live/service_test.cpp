@@ -32,13 +32,6 @@ WheelsetContact resultOf(const std::string& service, EvaluateWheelset call)
   return call.response.contact;
 }
 
-std::vector<std::uint8_t> bytesWithoutTime(WheelsetContact result)
-{
-  result.solve_time = 0;
-  result.header.seq = 0;
-  return bytesOf(result);
-}
-
 /// A pose beside the rail, for which there is no result.
 EvaluateWheelset beyondTheProfile(const ros::Time& stamp)
 {

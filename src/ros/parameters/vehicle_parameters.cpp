@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros/parameters/vehicle_parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "config/wheelset_list.h"
+#include "ros/parameters/node_parameters.h"
+
+namespace wheel_rail_contact
+{
+namespace
+{
+using XmlRpc::XmlRpcValue;
+
+constexpr double rounding = 1e-9;  ///< of the difference of two places [m]
+
+/// Puts the values of `upper` above those of `base`, group by group.
+void putAbove(XmlRpcValue& base, XmlRpcValue& upper)
+{
+  for (auto& [name, value] : upper)
+  {
+    const bool are_groups = value.getType() == XmlRpcValue::TypeStruct && base.hasMember(name) &&
+                            base[name].getType() == XmlRpcValue::TypeStruct;
+    are_groups ? putAbove(base[name], value) : static_cast<void>(base[name] = value);
+  }
+}
+
+/// Entries of rail_bending/neighbours of a wheelset.
+XmlRpcValue neighboursOf(std::size_t wheelset, const WheelsetList& list,
+                         const std::function<std::string(const std::string&)>& contact_topic)
+{
+  XmlRpcValue neighbours;
+  neighbours.setSize(0);
+  for (std::size_t i = 0; i < list.places.size(); ++i)
+  {
+    const double distance = std::abs(list.places[i] - list.places[wheelset]);
+    if (i != wheelset && distance <= list.reach + rounding)
+    {
+      XmlRpcValue neighbour;
+      neighbour["topic"] = contact_topic(list.names[i]);
+      neighbour["distance"] = distance;
+      neighbours[neighbours.size()] = neighbour;
+    }
+  }
+  return neighbours;
+}
+}  // namespace
+
+std::vector<WheelsetParameters> wheelsetParameters(
+    XmlRpcValue values, const std::string& prefix,
+    const std::function<std::string(const std::string& wheelset)>& contact_topic)
+{
+  if (values.getType() != XmlRpcValue::TypeStruct || !values.hasMember(wheelset_list::names))
+  {
+    return {};
+  }
+  XmlRpcValue common, own;
+  ParameterReader reader(parameterTree(toYaml(values)), prefix);
+  const WheelsetList list = readWheelsetList(reader);
+  for (auto& [name, value] : values)
+  {
+    const bool is_own = std::count(list.names.begin(), list.names.end(), name) > 0;
+    const bool is_of_all =
+        !is_own && name != wheelset_list::names && name != wheelset_list::places && name != wheelset_list::reach;
+    if (is_own || is_of_all)
+    {
+      (is_own ? own : common)[name] = value;
+    }
+  }
+  std::vector<WheelsetParameters> wheelsets;
+  for (std::size_t i = 0; i < list.names.size(); ++i)
+  {
+    const std::string& name = list.names[i];
+    XmlRpcValue& of_one = wheelsets.emplace_back(WheelsetParameters{name, common}).values;
+    if (list.reach > 0)
+    {
+      of_one["rail_bending"]["neighbours"] = neighboursOf(i, list, contact_topic);
+    }
+    if (own.hasMember(name))
+    {
+      reader.refuseIf(own[name].getType() != XmlRpcValue::TypeStruct, name, "a group: the parameters of this wheelset");
+      putAbove(of_one, own[name]);
+    }
+  }
+  return wheelsets;
+}
+}  // namespace wheel_rail_contact
