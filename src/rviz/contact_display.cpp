@@ -238,10 +238,14 @@ void ContactDisplay::draw()
   showPanel(panelContents(options));
 }
 
-void ContactDisplay::showPanel(const PanelContents& contents)
+void ContactDisplay::showPanel(PanelContents contents)
 {
+  if (const std::string title = properties_.panelTitle(); !title.empty())
+  {
+    contents.lines.insert(contents.lines.begin(), {title, contents.lines.front().tone});
+  }
   const int letters = properties_.panelLetters();
-  letters > 0 ? panel_->show(panelPicture(contents, letters)) : panel_->hide();
+  letters > 0 ? panel_->show(panelPicture(contents, letters), properties_.panelCorner()) : panel_->hide();
   context_->queueRender();
 }
 }  // namespace wheel_rail_contact

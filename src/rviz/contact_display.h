@@ -65,7 +65,7 @@ class ContactDisplay : public rviz::MessageFilterDisplay<WheelsetContact>
   std::string parameterNamespace() const;
   void reportResult();
   void draw();
-  void showPanel(const PanelContents& contents);
+  void showPanel(PanelContents contents);
   void showWaiting();
   /// Contents and style of the picture, with the upper ends of the colour scales.
   SceneOptions sceneOptions();

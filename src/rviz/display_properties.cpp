@@ -47,7 +47,8 @@ DisplayProperties::DisplayProperties(Property* parent)
   side_->addOption("right", static_cast<int>(core::Side::right));
   side_->addOption("both", both_sides);
   follow_ =
-      new BoolProperty("Follow Wheelset", false, "Draw the wheelset at x = 0, which keeps it in the view", parent);
+      new BoolProperty("Follow Wheelset", false, "Draw the wheelset at Place, which keeps it in the view", parent);
+  place_ = make_float("Place", 0, -1e6F, 1e6F, "Place in the picture along the track [m]", follow_);
   follow_contact_ = new BoolProperty("Follow Contact", false,
                                      "Draw the contact of each side at a fixed place, with its normal upward, so that "
                                      "the view follows it to the flange; both sides: side by side",
@@ -119,6 +120,9 @@ void DisplayProperties::makeTextProperties(Property* parent)
   letter_height_ = make_float("Letters", 0.04F, 1e-4F, 1, "Height of the letters [m]", labels_);
   panel_ = new BoolProperty("Panel", true, "Colour scale, and the values of each patch", parent);
   panel_letters_ = make_int("Letters", 15, 4, 100, "Height of the letters [pixels]", panel_);
+  panel_title_ = new rviz::StringProperty("Title", "", "First line of the panel; empty: none", panel_);
+  panel_left_ = make_int("Left", 0, 0, 10000, "Left edge of the panel in the picture [pixels]", panel_);
+  panel_top_ = make_int("Top", 0, 0, 10000, "Upper edge of the panel in the picture [pixels]", panel_);
 }
 
 void DisplayProperties::onChange(const std::function<void()>& changed)
@@ -187,7 +191,7 @@ SceneOptions DisplayProperties::options() const
   options.rails_at_rest = rails_at_rest_->getBool();
   options.deflection_scale = deflection_scale_->getFloat();
   options.trail_width = trail_width_->getFloat();
-  options.at_origin = follow_->getBool();
+  options.drawn_x = follow_->getBool() ? std::optional<double>(place_->getFloat()) : std::nullopt;
   return options;
 }
 
@@ -214,6 +218,16 @@ std::size_t DisplayProperties::trailLength() const
 int DisplayProperties::panelLetters() const
 {
   return panel_->getBool() ? panel_letters_->getInt() : 0;
+}
+
+std::string DisplayProperties::panelTitle() const
+{
+  return panel_title_->getStdString();
+}
+
+QPoint DisplayProperties::panelCorner() const
+{
+  return {panel_left_->getInt(), panel_top_->getInt()};
 }
 
 std::string DisplayProperties::parameters() const

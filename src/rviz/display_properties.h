@@ -41,6 +41,10 @@ class DisplayProperties
   std::size_t trailLength() const;
   /// Height of the letters of the panel [pixels]; 0: no panel.
   int panelLetters() const;
+  /// First line of the panel; empty: none.
+  std::string panelTitle() const;
+  /// Upper left corner of the panel [pixels].
+  QPoint panelCorner() const;
   /// Namespace of the parameters of the node; empty: the namespace of the topic.
   std::string parameters() const;
 
@@ -55,7 +59,7 @@ class DisplayProperties
   rviz::StringProperty* parameters_;
   rviz::EnumProperty* side_;
   rviz::BoolProperty *follow_, *follow_contact_;
-  rviz::FloatProperty *contact_spacing_, *line_width_;
+  rviz::FloatProperty *place_, *contact_spacing_, *line_width_;
   rviz::BoolProperty *patches_, *outlines_;
   rviz::FloatProperty *size_, *height_, *lift_, *max_pressure_;
   rviz::BoolProperty* stress_;
@@ -72,6 +76,7 @@ class DisplayProperties
   rviz::BoolProperty* labels_;
   rviz::FloatProperty* letter_height_;
   rviz::BoolProperty* panel_;
-  rviz::IntProperty* panel_letters_;
+  rviz::IntProperty *panel_letters_, *panel_left_, *panel_top_;
+  rviz::StringProperty* panel_title_;
 };
 }  // namespace wheel_rail_contact

@@ -231,8 +231,9 @@ void ScreenPanel::resize(int width, int height)
   panel_->setDimensions(static_cast<Ogre::Real>(width), static_cast<Ogre::Real>(height));
 }
 
-void ScreenPanel::show(const QImage& image)
+void ScreenPanel::show(const QImage& image, const QPoint& corner)
 {
+  panel_->setPosition(static_cast<Ogre::Real>(corner.x()), static_cast<Ogre::Real>(corner.y()));
   const auto width = static_cast<Ogre::uint32>(image.width()), height = static_cast<Ogre::uint32>(image.height());
   if (texture_.get() == nullptr || texture_->getWidth() != width || texture_->getHeight() != height)
   {

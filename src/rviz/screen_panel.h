@@ -7,6 +7,7 @@
 #include <Overlay/OgreOverlayContainer.h>
 #include <std_msgs/ColorRGBA.h>
 #include <QImage>
+#include <QPoint>
 
 #include <string>
 #include <vector>
@@ -53,7 +54,8 @@ class ScreenPanel
 
   /// Shows a picture.
   /// @param image in the format QImage::Format_ARGB32
-  void show(const QImage& image);
+  /// @param corner upper left one on the screen [pixels]
+  void show(const QImage& image, const QPoint& corner);
   /// Hides the picture.
   void hide();
 

@@ -209,7 +209,7 @@ MarkerArray sceneMarkers(const ContactOutput& output, const core::ContactModelCo
                          const SceneOptions& options)
 {
   MarkerArray markers;
-  const double x = options.at_origin ? 0 : output.x();
+  const double x = options.drawn_x.value_or(output.x());
   const std::shared_ptr<const core::WheelsetResult> result = drawnResult(output, model, options.deflection_scale);
   const core::WheelsetResult& drawn = *result;
   if (model)

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <memory>
+#include <optional>
 
 #include "config/node_config.h"
 #include "ros/evaluation/contact_evaluator.h"
@@ -34,8 +35,8 @@ struct SceneOptions
   /// Magnification of the deflection of the rails [-], >= 0. A given displacement is drawn in its true size. Patches
   /// and trail move with the rail, the wheels do not.
   double deflection_scale = 1;
-  double trail_width = 0.001;  ///< diameter of the points of the trail [m], > 0
-  bool at_origin = false;      ///< draw the wheelset at x = 0
+  double trail_width = 0.001;     ///< diameter of the points of the trail [m], > 0
+  std::optional<double> drawn_x;  ///< place along the track at which the wheelset is drawn [m]; none: its own
   /// Frame in the track frame that becomes the origin of the picture, for example contactFrame().
   Eigen::Isometry3d view = Eigen::Isometry3d::Identity();
 };

@@ -52,7 +52,8 @@ Eigen::Isometry3d ContactView::frame(const ContactOutput& output, const core::Co
   {
     last = railFrame((*at_rest)[side], side);
   }
-  return Eigen::Translation3d(options.at_origin ? 0 : output.x(), 0, 0) * last.value_or(Eigen::Isometry3d::Identity());
+  return Eigen::Translation3d(options.drawn_x.value_or(output.x()), 0, 0) *
+         last.value_or(Eigen::Isometry3d::Identity());
 }
 
 MarkerArray ContactView::markers(const ContactOutput& output, const core::ContactModelConfig* model,
