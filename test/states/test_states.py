@@ -10,6 +10,7 @@ from unittest import mock
 import rosbag
 from geometry_msgs.msg import PoseStamped, WrenchStamped
 from states_case import StatesCase
+from wheel_rail_contact.states.command_line import main
 from wheel_rail_contact.states.state import State, read_bag, stamp_of, write_bag
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "replay"))
@@ -61,6 +62,21 @@ class States(StatesCase):
                     self.assertAlmostEqual(value, wanted, delta=1e-14)
             self.assertAlmostEqual(messages["/wheelset/rail_displacement"].left.vertical_velocity, 7e-3 * down, delta=1e-15)
         self.assertIn("yaw_rate requires speed", self.error_of("time [s],y [mm],yaw_rate [rad/s]\n1,0,1\n"))
+
+    def test_several_tables_are_wheelsets_of_one_bag_in_the_order_of_their_times(self):
+        for name, y in ("front", 1), ("rear", 2):
+            (self.folder / f"{name}.csv").write_text(f"time [s],y [mm]\n0,{y}\n{y},{y}\n")
+        tables = [self.folder / "front.csv", self.folder / "rear.csv"]
+        names = ["--wheelset", "front", "--wheelset", "/rear"]
+        printed = self.run_command(main, *tables, self.folder / "out.bag", *names, "--start", "10")
+        self.assertIn("4 states", printed)
+        with rosbag.Bag(str(self.folder / "out.bag")) as bag:
+            written = [(topic, message.pose.position.y, at.to_sec()) for topic, message, at in bag.read_messages()]
+        self.assertEqual(written, [("/front/wheelset/pose", 1e-3, 10), ("/rear/wheelset/pose", 2e-3, 10),
+                                   ("/front/wheelset/pose", 1e-3, 11), ("/rear/wheelset/pose", 2e-3, 12)])
+        for options, reason in ((names, "several tables require --start"), (names[:2], "2 times IN, but 1 wheelsets"),
+                                (names[:2] * 2, "--wheelset front is given twice")):
+            self.assertIn(reason, self.run_command(main, *tables, self.folder / "no.bag", *options, status=2))
 
     def test_displacements_and_distance_are_written_only_if_they_are_given(self):
         without, = self.states_of("time [s],y [mm]\n1,0\n")
@@ -153,7 +169,7 @@ class States(StatesCase):
         def interrupted(path, *_):
             pathlib.Path(path).write_text("a part")
             raise KeyboardInterrupt
-        with mock.patch("wheel_rail_contact.states.command_line.write_bag", interrupted):
+        with mock.patch("wheel_rail_contact.states.command_line.write_wheelsets", interrupted):
             self.run_states("in.csv", "out.bag", status=130)
         self.assertFalse((self.folder / "out.bag").exists())
 

@@ -11,7 +11,7 @@ from ..command import Failure, finish, writing
 from ..progress import Progress, shown
 from .columns import COLUMNS, QUANTITIES, WHEEL_LOADS
 from .running_circles import LONGEST, SHORTEST, RunningCircles
-from .state import read_bag, write_bag
+from .state import read_bag, write_wheelsets
 from .table import AXES, Reading, read_table, write_table
 from .units import units_of
 
@@ -43,10 +43,12 @@ Rows with missing values (empty, NaN) are dropped, and of rows with equal times 
 def _parser():
     parser = Parser(description=DESCRIPTION, epilog=_epilog(), formatter_class=argparse.RawDescriptionHelpFormatter)
     add = parser.add_argument
-    add("source", metavar="IN", help="table (any ending, for example .csv or .txt), or bag (.bag)")
+    add("source", nargs="+", metavar="IN",
+        help="table (any ending, for example .csv or .txt), one for each --wheelset, or bag (.bag)")
     add("target", metavar="OUT", help="bag (.bag), or table (.csv); must not exist")
     add("--axes", choices=AXES, help="axes of the table (default: those in its line '# axes: ...', otherwise rep103)")
-    add("--wheelset", default="", metavar="NAME", help="namespace of the topics (default: /)")
+    add("--wheelset", action="append", default=[], metavar="NAME",
+        help="namespace of the topics (default: /), repeatable: that of each table in turn, all in one bag")
     add("--column", action="append", default=[], metavar="NAME='TITLE [UNIT]'",
         help="title of a column in the file, repeatable; with an empty title, the column NAME is ignored")
     add("--config", action="append", default=[], metavar="F.yaml",
@@ -93,32 +95,43 @@ def main(arguments=None):
     """Runs the command and returns its exit status."""
     parser = _parser()
     options = parser.parse_args(arguments)
-    ends = tuple(os.path.splitext(name)[1].lower() for name in (options.source, options.target))
+    ends = tuple(os.path.splitext(name)[1].lower() for name in (*options.source, options.target))
     if ends.count(".bag") != 1 or (ends[0] == ".bag" and ends[1] != ".csv"):
         parser.error("one of IN and OUT must be a bag (.bag), the other a table (OUT: .csv)")
-    return finish("contact_states", _convert, options, _reading(parser, options), ends[1] == ".bag")
+    names = ["/" + name.strip("/") if name.strip("/") else "" for name in options.wheelset or [""]]
+    if len(names) != len(options.source):
+        parser.error(f"{len(options.source)} times IN, but {len(names)} wheelsets: give a --wheelset for each table")
+    if len(set(names)) != len(names):
+        parser.error(f"--wheelset {max(names, key=names.count).strip('/')} is given twice")
+    if len(names) > 1 and options.start is None:
+        parser.error("several tables require --start, which is added to the times of all; 0 if these are above 0")
+    return finish("contact_states", _convert, options, _reading(parser, options), names, ends[-1] == ".bag")
 
 
-def _convert(options, reading, from_table):
-    wheelset = "/" + options.wheelset.strip("/") if options.wheelset.strip("/") else ""
+def _convert(options, reading, wheelsets, from_table):
     if os.path.exists(options.target):
         raise Failure(f"{options.target}: already exists and is not overwritten")
-    dropped = 0
+    dropped = count = 0
     progress = Progress(period=PERIOD)
+    tables = {}
+    for source, wheelset in zip(options.source, wheelsets):
+        if from_table:
+            states, remarks, left_out = read_table(source, reading, progress)
+            dropped += left_out
+            tables[wheelset] = shown(states, len(states), progress, "state")
+        else:
+            remarks = []
+            states = read_bag(source, wheelset, remarks, progress)
+        count += len(states)
+        for remark in remarks:
+            print(f"{source}: {remark}", file=sys.stderr)
     if from_table:
-        states, remarks, dropped = read_table(options.source, reading, progress)
-        for remark in remarks:
-            print(f"{options.source}: {remark}", file=sys.stderr)
-        _write(options.target, write_bag, shown(states, len(states), progress, "state"), wheelset)
+        _write(options.target, write_wheelsets, tables)
     else:
-        remarks = []
-        states = read_bag(options.source, wheelset, remarks, progress)
-        for remark in remarks:
-            print(f"{options.source}: {remark}", file=sys.stderr)
         _write(options.target, write_table, states, options.axes or AXES[0])
     progress.end()
-    rest = f"; {dropped} of {len(states) + dropped} rows were dropped" if dropped else ""
-    print(f"{len(states)} state{'' if len(states) == 1 else 's'}{rest}")
+    rest = f"; {dropped} of {count + dropped} rows were dropped" if dropped else ""
+    print(f"{count} state{'' if count == 1 else 's'}{rest}")
 
 
 def _write(target, write, *arguments):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """State of a wheelset at one instant, and its messages in a bag."""
 import collections
+import heapq
 import math
 from dataclasses import dataclass, fields
 from typing import Optional
@@ -122,10 +123,20 @@ def _twist(state):
 
 def write_bag(path, states, wheelset=""):
     """Writes states to a bag for contact_node and contact_replay. The same states give the same bytes."""
+    write_wheelsets(path, {wheelset: states})
+
+
+def write_wheelsets(path, states):
+    """The same for several wheelsets, in the order of their times: namespace -> states."""
     bag = rosbag.Bag(str(path), "w", compression=rosbag.Compression.BZ2)
-    for state in states:
+    for state, wheelset in heapq.merge(*map(_named, states.values(), states), key=lambda row: row[0].time_ns):
         _write_state(bag, state, f"{wheelset}/wheelset/")
     bag.close()  # not after an error: on a full disk, close() raises another error, which would hide the first one
+
+
+def _named(states, wheelset):
+    for state in states:
+        yield state, wheelset
 
 
 def _write_state(bag, state, topics):
