@@ -8,6 +8,7 @@ import numpy as np
 from wheel_rail_contact.command import Failure
 from wheel_rail_contact.simulation.contact import HeldContact
 from wheel_rail_contact.simulation.parameters import read_parameters, step_count
+from wheel_rail_contact.simulation.stability import state_matrix
 from wheel_rail_contact.simulation.wheelset import Request, Wheelset
 
 
@@ -64,7 +65,7 @@ class Motion(unittest.TestCase):
         w, s, arm = self.p["wheelset"], self.p["suspension"], self.p["suspension"]["half_spacing"]**2
         contact, compliance, rotation = np.zeros((3, 5)), 1e-6, 87.0
         contact[2, 2] = compliance  # roll by torque [rad/(N m)]
-        values = np.linalg.eigvals(Wheelset(self.p).state_matrix(contact, rotation))
+        values = np.linalg.eigvals(state_matrix(self.p, contact, rotation))
         # The roll is that of compliance and springs under the torque I_y W yaw'; its rate acts as an inertia about z.
         softness = compliance / (1 + compliance * 2 * arm * s["vertical_stiffness"])
         inertia = w["yaw_inertia"] + softness * (w["spin_inertia"] * rotation)**2

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..command import Failure
-from .wheelset import Request, Wheelset
+from .wheelset import Request
 
 # Shifts for the derivatives of the contact: large enough that the rounding of the grids, within contact/tolerance, is small.
 SHIFT = 0.2e-3        # of y [m], of yaw [rad], and of their rates over the running speed
@@ -38,11 +38,11 @@ class Stability:
     """Small motions of a wheelset over the running speed; p, contact: see run_closed_loop()."""
 
     def __init__(self, p, contact):
-        self._wheelset, self._contact, self._load = Wheelset(p), contact, p["wheelset"]["axle_load"]
+        self._p, self._contact = p, contact
 
     def motion(self, speed):
         """Motion at a speed [m/s]. Raises Failure if a contact is not usable."""
-        values = np.linalg.eigvals(self._wheelset.state_matrix(*self._derivatives(speed)))
+        values = np.linalg.eigvals(state_matrix(self._p, *self._derivatives(speed)))
         fastest = values[np.argmax(values.real)]
         return Motion(speed, fastest.real, abs(fastest.imag) / (2 * math.pi))
 
@@ -58,7 +58,7 @@ class Stability:
         return None
 
     def _derivatives(self, speed):
-        """Derivatives for Wheelset.state_matrix(), and the rotation about the axle [rad/s]: central differences."""
+        """Derivatives for state_matrix(), and the rotation about the axle [rad/s]: central differences."""
         shifts = {"y": SHIFT, "yaw": SHIFT, "torque_x": TORQUE_SHIFT, "lateral_velocity": speed * SHIFT,
                   "yaw_rate": speed * SHIFT}
         columns = [(self._outputs(speed, **{name: shift})[0] - self._outputs(speed, **{name: -shift})[0]) / (2 * shift)
@@ -66,8 +66,28 @@ class Stability:
         return np.transpose(columns), self._outputs(speed)[1]
 
     def _outputs(self, speed, **state):
-        reply = self._contact.evaluate(Request(speed=speed, force_z=-self._load, **state))
+        reply = self._contact.evaluate(Request(speed=speed, force_z=-self._p["wheelset"]["axle_load"], **state))
         if not reply.usable:
             raise Failure(f"no usable contact at the centre of the track: {reply.status}: {reply.status_text}")
         wrench = reply.rail_wrench
         return np.array([wrench.force.y, wrench.torque.z, reply.wheelset.roll]), reply.rotation
+
+
+def state_matrix(p, contact, rotation):
+    """Matrix A of the small motions x' = A x about the centre, x = (y, yaw, y', yaw'); wheelset.py has the equations.
+
+    p: see read_parameters(). contact: (3, 5) derivatives of force y, torque z and roll in the contact by y, yaw, torque_x, y'
+    and yaw'. rotation: W [rad/s]
+    """
+    w, s, arm = p["wheelset"], p["suspension"], p["suspension"]["half_spacing"] ** 2
+    momentum, roll_stiffness = w["gyroscopic"] * w["spin_inertia"] * rotation, 2 * arm * s["vertical_stiffness"]
+    by_torque, by_state = contact[:, 2], contact[:, [0, 1, 3, 4]]
+    torque = momentum * np.eye(4)[3]  # on the axle, besides that of the springs by the roll
+    roll = (by_state[2] + by_torque[2] * torque) / (1 + by_torque[2] * roll_stiffness)
+    forces = by_state[:2] + np.outer(by_torque[:2], torque - roll_stiffness * roll)
+    forces[:, :2] -= 2 * np.diag([s["lateral_stiffness"], arm * s["longitudinal_stiffness"]])
+    forces[:, 2:] -= 2 * np.diag([s["lateral_damping"], arm * s["longitudinal_damping"]])
+    forces[1, 2:] -= momentum * roll[:2]
+    inertia = np.diag([w["mass"], w["yaw_inertia"]])
+    inertia[1] += momentum * roll[2:]
+    return np.vstack([np.eye(4)[2:], np.linalg.solve(inertia, forces)])

@@ -92,24 +92,6 @@ class Wheelset:
             reply = contact.evaluate_again(self.request(velocity))
         raise Failure(f"the velocities of the wheelset do not converge in a step of {self._step:g} s")
 
-    def state_matrix(self, contact, rotation):
-        """Matrix A of the small motions x' = A x about the centre, x = (y, yaw, y', yaw').
-
-        contact: (3, 5) derivatives of force y, torque z and roll in the contact by y, yaw, torque_x, y' and yaw'.
-        rotation: W [rad/s]
-        """
-        momentum = self.w["gyroscopic"] * self.w["spin_inertia"] * rotation
-        by_torque, by_state = contact[:, 2], contact[:, [0, 1, 3, 4]]
-        torque = momentum * np.eye(4)[3]  # on the axle, besides that of the springs by the roll
-        roll = (by_state[2] + by_torque[2] * torque) / (1 + by_torque[2] * self._roll_stiffness)
-        forces = by_state[:2] + np.outer(by_torque[:2], torque - self._roll_stiffness * roll)
-        forces[:, :2] -= np.diag(self._stiffness)
-        forces[:, 2:] -= np.diag(self._damping)
-        forces[1, 2:] -= momentum * roll[:2]
-        inertia = np.diag(self._inertia)
-        inertia[1] += momentum * roll[2:]
-        return np.vstack([np.eye(4)[2:], np.linalg.solve(inertia, forces)])
-
     def _residual(self, velocity, reply):
         """Velocities after the step, with the forces of the rails for `velocity`, less `velocity`."""
         wrench = reply.rail_wrench
