@@ -7,7 +7,7 @@ import numpy as np
 from wheel_rail_contact.command import contact_model, native, running_circles
 from wheel_rail_contact.geometry.conicity import (NO_CENTRE, NO_WAVE, OUT_OF_RANGE, SEVERAL_WAVES, RadiusDifference,
                                                   kinematic_wavelength)
-from wheel_rail_contact.geometry.loaded import longest_curve, loaded_points
+from wheel_rail_contact.geometry.loaded import loaded_points
 
 MM = 1e-3
 
@@ -148,8 +148,8 @@ class OfContactGeometry(unittest.TestCase):
             self.assertAlmostEqual(coarse.conicity(amplitude * MM)[0], fine.conicity(amplitude * MM)[0], delta=2e-4)
 
     def test_under_load_the_jump_on_the_tread_is_wide_and_cones_stay_cones(self):
-        y, cones = np.linspace(-2, 2, 41) * MM, {"wheel": {"profile": "cone_1_20"}}
-        light, loaded, of_cones = (RadiusDifference(longest_curve(loaded_points(configs, y, load, None))).conicity(1 * MM)[0]
+        y, cones = np.linspace(-2, 2, 3) * MM, {"wheel": {"profile": "cone_1_20"}}
+        light, loaded, of_cones = (RadiusDifference(loaded_points(configs, y, load, None)[1]).conicity(1 * MM)[0]
                                    for configs, load in (((), 10), ((), 100e3), ([cones], 100e3)))
         # The rigid contact jumps at 0.3 mm; straight lines between the steps of 0.1 mm spread this jump.
         self.assertAlmostEqual(light, self.curve(2, 0.1).conicity(1 * MM)[0], delta=2e-3)

@@ -8,7 +8,7 @@ from pathlib import Path
 from ..arguments import DefaultsFormatter, Parser
 from ..command import Failure, calculating, contact_model, finish, load_doubt, native, output_folder, pyplot
 from . import picture, tables
-from .loaded import longest_curve, loaded_points
+from .loaded import loaded_points
 from .tables import CONICITY, GEOMETRY, MM
 
 PICTURE = "contact_geometry.png"
@@ -38,11 +38,13 @@ def _run(options):
     with calculating():
         geometry = core.contact_geometry(model, *y, step, options.roll == "solved", options.distance or 0.0)
         points = tables.points_of(geometry)
-    loaded = loaded_points(options.config, points["y"], options.load, options.distance) if options.load else {}
+    loaded, curve = {}, None
+    if options.load:
+        loaded, curve = loaded_points(options.config, points["y"], options.load, options.distance)
     tables.write(points, loaded, options.out / GEOMETRY)
     waves = core.running_circles(model), [value / MM for value in options.amplitudes], step
     conicity = tables.conicity_of(geometry.curve, *waves)
-    loaded_conicity = tables.conicity_of(longest_curve(loaded), *waves) if loaded else {}
+    loaded_conicity = tables.conicity_of(curve, *waves) if loaded else {}
     tables.write(conicity, loaded_conicity, options.out / CONICITY)
     picture.draw(plot, (points, loaded), (conicity, loaded_conicity),
                  options.title or ", ".join(options.config) or "config/default.yaml", options.out / PICTURE)
