@@ -225,7 +225,7 @@ TEST_F(Scene, WheelsetCanBeDrawnAtTheOrigin)
   trail.add(output, {});
   output.state.x += 1;
   output.header.stamp += ros::Duration(1);
-  options.at_origin = true;
+  options.drawn_x = 0;
   const MarkerArray markers = draw();
   EXPECT_NEAR(findMarker(markers, "force", 0).points[0].x, 0, 1e-12);
   EXPECT_NEAR(findMarker(markers, "trail", 0).points[0].x, -1, 1e-12);

@@ -49,9 +49,10 @@ XmlRpcValue neighboursOf(std::size_t wheelset, const WheelsetList& list,
 }  // namespace
 
 std::vector<WheelsetParameters> wheelsetParameters(
-    XmlRpcValue values, const std::string& prefix,
+    const XmlRpcValue& parameters, const std::string& prefix,
     const std::function<std::string(const std::string& wheelset)>& contact_topic)
 {
+  XmlRpcValue values = parameters;  // toYaml() states why
   if (values.getType() != XmlRpcValue::TypeStruct || !values.hasMember(wheelset_list::names))
   {
     return {};
