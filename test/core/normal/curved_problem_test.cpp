@@ -26,8 +26,8 @@ void turnColumns(std::mt19937_64& random, CurvedProblem& problem, std::size_t pa
 class ColumnFields : public testing::Test
 {
  protected:
-  Seeded64 random{7};
-  CurvedProblem problem = problems::curved(problems::randomProblem(random, 1));
+  Seeded64 random_{7};
+  CurvedProblem problem_ = problems::curved(problems::randomProblem(random_, 1));
 };
 
 void expectEqual(const CurvedProblem& problem, const NormalSolution& solution)
@@ -48,55 +48,55 @@ TEST_F(ColumnFields, WeightsAndTurnedNormalsGiveTheExactSolution)
   for (int scene = 0; scene < 12; ++scene)
   {
     SCOPED_TRACE(scene);
-    problem = problems::curved(problems::randomProblem(random, 1 + scene % 2));
-    for (std::size_t k = 0; k < problem.patches.size(); ++k)
+    problem_ = problems::curved(problems::randomProblem(random_, 1 + scene % 2));
+    for (std::size_t k = 0; k < problem_.patches.size(); ++k)
     {
-      turnColumns(random, problem, k);
+      turnColumns(random_, problem_, k);
     }
     if (scene % 3 == 1)  // weights alone
     {
-      problem.normals[0].turn.resize(0);
+      problem_.normals[0].turn.resize(0);
     }
     if (scene % 3 == 2)  // turned normals alone
     {
-      problem.normals[0].weight.resize(0);
+      problem_.normals[0].weight.resize(0);
     }
-    const NormalSolution solution = solvedCurved(problem);
-    expectEqual(problem, solution);
-    problem = problems::atApproach(problem, solution.approach);
-    expectEqual(problem, solvedCurved(problem));
+    const NormalSolution solution = solvedCurved(problem_);
+    expectEqual(problem_, solution);
+    problem_ = problems::atApproach(problem_, solution.approach);
+    expectEqual(problem_, solvedCurved(problem_));
   }
 }
 
 TEST_F(ColumnFields, ColumnsWithEqualNormalsAreOnePlane)
 {
-  const NormalSolution plane = solvedCurved(problem);
-  PatchGap& patch = problem.patches[0];
-  problem.normals[0].turn = Eigen::ArrayXd::Constant(patch.grid.ny, 0.3);
-  problem.normals[0].weight = Eigen::ArrayXd::Constant(patch.grid.ny, 0.8);
+  const NormalSolution plane = solvedCurved(problem_);
+  PatchGap& patch = problem_.patches[0];
+  problem_.normals[0].turn = Eigen::ArrayXd::Constant(patch.grid.ny, 0.3);
+  problem_.normals[0].weight = Eigen::ArrayXd::Constant(patch.grid.ny, 0.8);
   patch.weight /= 0.8;
-  const NormalSolution turned = solvedCurved(problem);
+  const NormalSolution turned = solvedCurved(problem_);
   EXPECT_NEAR(turned.approach / plane.approach, 1, 1e-8);
   EXPECT_LT(problems::difference(turned, plane), 1e-5);
 }
 
 TEST_F(ColumnFields, LoadIsTheWeightedSumOfTheForcesOfTheColumns)
 {
-  const NormalSolution first = solvedCurved(problem);
-  problem.control = NormalProblem::Control::load;
-  problem.value = problem.patches[0].weight * first.patches[0].force;
-  PatchGap& patch = problem.patches[0];
-  turnColumns(random, problem);
-  const NormalSolution solution = solvedCurved(problem);
+  const NormalSolution first = solvedCurved(problem_);
+  problem_.control = NormalProblem::Control::load;
+  problem_.value = problem_.patches[0].weight * first.patches[0].force;
+  PatchGap& patch = problem_.patches[0];
+  turnColumns(random_, problem_);
+  const NormalSolution solution = solvedCurved(problem_);
   const Eigen::ArrayXd columns = solution.patches[0].pressure.colwise().sum() * patch.grid.cellArea();
-  EXPECT_NEAR(patch.weight * (columns * problem.normals[0].weight).sum() / problem.value, 1, 1e-9);
+  EXPECT_NEAR(patch.weight * (columns * problem_.normals[0].weight).sum() / problem_.value, 1, 1e-9);
 }
 
 TEST_F(ColumnFields, AWarmStartGivesTheSameSolutionWithAtMostTwoProducts)
 {
-  turnColumns(random, problem);
-  const NormalSolution cold = solvedCurved(problem);
-  const NormalSolution warm = solvedCurved(problem, cold, true);
+  turnColumns(random_, problem_);
+  const NormalSolution cold = solvedCurved(problem_);
+  const NormalSolution warm = solvedCurved(problem_, cold, true);
   EXPECT_LE(warm.iterations, 2);
   EXPECT_LT(problems::difference(warm, cold), 1e-6);
 }
@@ -104,11 +104,11 @@ TEST_F(ColumnFields, AWarmStartGivesTheSameSolutionWithAtMostTwoProducts)
 // The displacement of a plane patch does not belong to the turned one.
 TEST_F(ColumnFields, AWarmStartFromThePlanePatchGivesTheTurnedSolution)
 {
-  const NormalSolution plane = solvedCurved(problem);
-  turnColumns(random, problem);
-  problem.normals[0].weight.resize(0);
-  const NormalSolution cold = solvedCurved(problem);
-  const NormalSolution warm = solvedCurved(problem, plane, true);
+  const NormalSolution plane = solvedCurved(problem_);
+  turnColumns(random_, problem_);
+  problem_.normals[0].weight.resize(0);
+  const NormalSolution cold = solvedCurved(problem_);
+  const NormalSolution warm = solvedCurved(problem_, plane, true);
   EXPECT_GT(std::abs(cold.approach / plane.approach - 1) + std::abs(cold.patches[0].force / plane.patches[0].force - 1),
             1e-5);
   EXPECT_NEAR(warm.approach / cold.approach, 1, 1e-8);
@@ -117,35 +117,35 @@ TEST_F(ColumnFields, AWarmStartFromThePlanePatchGivesTheTurnedSolution)
 
 TEST_F(ColumnFields, WeightsOfAnotherNumberOfColumnsAreRefused)
 {
-  problem.normals[0].weight = Eigen::ArrayXd::Ones(1);
-  EXPECT_EQ(solvedCurved(problem).status, SolveStatus::invalid_problem);
-  problem.normals[0].weight = Eigen::ArrayXd::Constant(problem.patches[0].grid.ny, -1);
-  EXPECT_EQ(solvedCurved(problem).status, SolveStatus::invalid_problem);
-  problem.normals.resize(2);
-  EXPECT_EQ(solvedCurved(problem).status, SolveStatus::invalid_problem);
+  problem_.normals[0].weight = Eigen::ArrayXd::Ones(1);
+  EXPECT_EQ(solvedCurved(problem_).status, SolveStatus::invalid_problem);
+  problem_.normals[0].weight = Eigen::ArrayXd::Constant(problem_.patches[0].grid.ny, -1);
+  EXPECT_EQ(solvedCurved(problem_).status, SolveStatus::invalid_problem);
+  problem_.normals.resize(2);
+  EXPECT_EQ(solvedCurved(problem_).status, SolveStatus::invalid_problem);
 }
 
 // Hertz, Kik-Piotrowski and Seidel solve the problem with one normal for each patch, and state this.
 TEST_F(ColumnFields, OtherMethodsSayWhatTheyLeaveOut)
 {
-  problem = problems::curved(problems::hertzCase(2, 16, 32, true).problem);
-  turnColumns(random, problem);
+  problem_ = problems::curved(problems::hertzCase(2, 16, 32, true).problem);
+  turnColumns(random_, problem_);
   for (const NormalMethod method : {NormalMethod::hertz, NormalMethod::kik_piotrowski, NormalMethod::seidel})
   {
     const auto solver = makeNormalSolver(method);
     NormalSolution on_curved, plane;
-    solver->solveCurved(problem, false, on_curved);
-    solver->solve(static_cast<const NormalProblem&>(problem), false, plane);
+    solver->solveCurved(problem_, false, on_curved);
+    solver->solve(static_cast<const NormalProblem&>(problem_), false, plane);
     EXPECT_EQ(on_curved.patches[0].max_pressure, plane.patches[0].max_pressure) << toString(method);
-    EXPECT_EQ(solver->leftOut(problem), "column normals") << toString(method);
+    EXPECT_EQ(solver->leftOut(problem_), "column normals") << toString(method);
   }
-  EXPECT_EQ(ConjugateGradients().leftOut(problem), "");
-  problem.patches.push_back(problem.patches[0]);
-  problem.normals.push_back(problem.normals[0]);
-  problem.coupling.setZero(64, 64);
-  EXPECT_EQ(makeNormalSolver(NormalMethod::hertz)->leftOut(problem), "column normals, patch coupling");
-  problem.normals.clear();
-  EXPECT_EQ(makeNormalSolver(NormalMethod::seidel)->leftOut(problem), "patch coupling");
+  EXPECT_EQ(ConjugateGradients().leftOut(problem_), "");
+  problem_.patches.push_back(problem_.patches[0]);
+  problem_.normals.push_back(problem_.normals[0]);
+  problem_.coupling.setZero(64, 64);
+  EXPECT_EQ(makeNormalSolver(NormalMethod::hertz)->leftOut(problem_), "column normals, patch coupling");
+  problem_.normals.clear();
+  EXPECT_EQ(makeNormalSolver(NormalMethod::seidel)->leftOut(problem_), "patch coupling");
 }
 
 constexpr unsigned seed = 11;

@@ -137,14 +137,14 @@ class ClosedForm : public testing::Test
 {
 };
 using ClosedForms = testing::Types<HertzSolver, KikPiotrowski>;
-TYPED_TEST_SUITE(ClosedForm, ClosedForms);
+TYPED_TEST_SUITE(ClosedForm, ClosedForms, );
 
 template <typename Solver>
 class EachSolver : public testing::Test
 {
 };
 using Solvers = testing::Types<HertzSolver, KikPiotrowski, ConjugateGradients>;
-TYPED_TEST_SUITE(EachSolver, Solvers);
+TYPED_TEST_SUITE(EachSolver, Solvers, );
 
 TYPED_TEST(ClosedForm, PatchesShareTheLoadAtOneApproach)
 {
