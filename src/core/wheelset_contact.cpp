@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "core/balance/contact_derivatives.h"
 #include "core/balance/grid_levels.h"
 #include "core/balance/patch_result.h"
 #include "core/balance/wheelset_balance.h"
@@ -51,6 +52,10 @@ class WheelsetContact::Calculation
         friction_(config_),
         stress_(config_)
   {
+    if (config_.contact.derivatives)
+    {
+      derivatives_.emplace(config_);
+    }
     if (config_.contact.check_branches && config_.wheelset.solve_height_and_roll)
     {
       other_.emplace(config_, levels_);
@@ -78,6 +83,7 @@ class WheelsetContact::Calculation
       result_.above_tolerance = result_.above_tolerance || friction_.isOpen();
       result_.reason = remark(state);
       addImplausibleForces();
+      addDerivatives(friction_.acts(state));
     }
     return result_;
   }
@@ -115,6 +121,7 @@ class WheelsetContact::Calculation
     result_.speed = result_.rotation = 0;
     result_.implausible_force = false;
     result_.above_tolerance = result_.near_branch = result_.points_missing = false;
+    result_.derivatives = {};
     is_noisy_ = false;
     patch_count_ = 0;
     if (isUsable(result_.status))
@@ -284,6 +291,19 @@ class WheelsetContact::Calculation
     }
   }
 
+  /// @param rubs  there is friction, which the derivatives leave out
+  void addDerivatives(bool rubs)
+  {
+    if (derivatives_)
+    {
+      const std::string_view fault =
+          rubs ? derivatives_->missing("no derivatives: they leave out creep forces", result_.derivatives)
+               : derivatives_->find(balance_, result_.derivatives);
+      result_.reason += result_.reason.empty() || fault.empty() ? "" : "; ";
+      result_.reason += fault;
+    }
+  }
+
   void addPatches(Side side)
   {
     const std::size_t count = balance_.wheel(side).loaded() ? balance_.islands(side).islands().size() : 0;
@@ -334,6 +354,7 @@ class WheelsetContact::Calculation
   ContactFriction friction_;
   StressBeneath stress_;
   std::optional<WheelsetBalance> other_;  ///< searches for other equilibria
+  std::optional<WheelsetDerivatives> derivatives_;
   WheelsetResult result_;
   std::size_t patch_count_ = 0;
   bool is_noisy_ = false;  ///< the noise of a profile opens a pressure by more than the tolerance

@@ -33,6 +33,8 @@ struct ContactConfig
   /// Also searches for other equilibria of each state, see WheelsetResult::near_branch. Takes about ten times as long.
   /// No effect if height and roll are given.
   bool check_branches = false;
+  /// Also computes WheelsetResult::derivatives. Only with `automatic` and `conjugate_gradient`.
+  bool derivatives = false;
 };
 
 /// Checks that every parameter is within its range.

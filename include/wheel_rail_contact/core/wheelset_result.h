@@ -225,6 +225,21 @@ struct PatchResult
   Eigen::ArrayXXd pressure;  ///< nx × ny pressures [Pa], compressive positive; pressure(i, j) belongs to cell (i, j)
 };
 
+/// Derivatives of the contact of a wheelset, with ContactConfig::derivatives; otherwise empty. Track axes. An entry is
+/// NaN where the derivative does not exist; WheelsetResult::reason then gives the reason.
+struct ContactDerivatives
+{
+  /// Columns of `forces`: y, z [m], roll and yaw [rad] of the axle.
+  static constexpr int positions = 4;
+
+  /// Height and roll given. Rows: forces x, y, z [N] and moments x, y, z about the axle centre [N m] of both rails on
+  /// the wheelset, as in WheelsetResult::rail_wrench. The deflection of the rails is included.
+  Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::RowMajor, 6, positions> forces;
+  /// Height and roll solved; otherwise empty. Rows: z [m], roll [rad], Q and Y of the left wheel, then of the right one
+  /// [N]. Columns: y [m], yaw [rad], force_z [N], torque_x [N m].
+  Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::RowMajor, 6, positions> solution;
+};
+
 /// Contact of a wheelset with both rails in one state: the output of WheelsetContact::evaluate().
 struct WheelsetResult
 {
@@ -242,14 +257,15 @@ struct WheelsetResult
   bool near_branch = false;
   /// The contact force of a wheel is beyond a plausible bound; `reason` gives it.
   bool implausible_force = false;
-  double x = 0, y = 0, z = 0;  ///< axle centre in the track frame [m]; z is the solved (or given) height
-  double yaw = 0, roll = 0;    ///< rotation of the axle [rad]; roll is the solved (or given) one
-  double distance = 0;         ///< place of the wheelset on the line [m]; that of the state
-  Sides<WheelForces> wheel;    ///< forces of each Side; valid only if the result is usable
-  Wrench rail_wrench;          ///< of both rails on the wheelset, with friction; valid only if the result is usable
-  double speed = 0;            ///< running speed along the track [m/s]; zero without creep forces
-  double rotation = 0;         ///< of the wheelset about its axle [rad/s], given or free; zero without creep forces
-  Sides<RailResult> rail;      ///< rail of each Side; valid only if the result is usable
+  double x = 0, y = 0, z = 0;      ///< axle centre in the track frame [m]; z is the solved (or given) height
+  double yaw = 0, roll = 0;        ///< rotation of the axle [rad]; roll is the solved (or given) one
+  double distance = 0;             ///< place of the wheelset on the line [m]; that of the state
+  Sides<WheelForces> wheel;        ///< forces of each Side; valid only if the result is usable
+  Wrench rail_wrench;              ///< of both rails on the wheelset, with friction; valid only if the result is usable
+  double speed = 0;                ///< running speed along the track [m/s]; zero without creep forces
+  double rotation = 0;             ///< of the wheelset about its axle [rad/s], given or free; zero without creep forces
+  Sides<RailResult> rail;          ///< rail of each Side; valid only if the result is usable
+  ContactDerivatives derivatives;  ///< empty unless the result is usable
   std::vector<PatchResult> patches;  ///< left side first; empty unless the result is usable
 };
 }  // namespace wheel_rail_contact::core

@@ -55,6 +55,8 @@ class WheelEquilibrium
   bool isSmooth() const { return rail_.course().smooth; }
   /// Rail in the ideal track at the place of the last moveTo().
   const PlacedRail& restingRail() const { return rail_.atRest(); }
+  /// The rail on its supports.
+  const SupportedRail& support() const { return rail_; }
   /// Sets what else moves the rail. The start is the deflection of the last solution.
   /// @param lateral    given lateral force, outward positive [N]; only without RailBendingConfig::LateralForce::contact
   /// @param displaced  displacement of the rail, besides that by this wheel and RailBendingConfig::prescribed

@@ -38,10 +38,18 @@ class ContactTangent
   Forces stiffness(const CurvedProblem& problem, const NormalSolution& solution,
                    const std::vector<Eigen::ArrayXXd>& openings, Eigen::Index displacement);
 
+  /// Changes of the pressure in the loaded cells by changes of the gap of each cell, one after the other.
+  /// @param openings  for each patch and displacement an array rows() × ny
+  /// @param changes   set to arrays of the same shape [Pa per unit]; not a number where the iteration fails
+  void pressures(const CurvedProblem& problem, const NormalSolution& solution,
+                 const std::vector<std::vector<Eigen::ArrayXXd>>& openings,
+                 std::vector<std::vector<Eigen::ArrayXXd>>& changes);
+
   /// Number of products with the influence matrix since the object was made.
   int products() const { return products_; }
 
  private:
+  void layOutLoaded(const CurvedProblem& problem, const NormalSolution& solution);
   void begin(const CurvedProblem& problem, const NormalSolution& solution,
              const std::vector<Eigen::ArrayXXd>& openings);
   Forces column(Eigen::Index displacement);
@@ -51,6 +59,8 @@ class ContactTangent
     return Eigen::Map<const Eigen::ArrayXd>(field.data(), length_).abs().maxCoeff();
   }
   void mask(LaneBuffer& field) const { kernels_.multiply_by(length_, loaded_.data(), field.data()); }
+  void startFromEarlier();
+  void keepSolution();
   void precondition();
   void solve(const LaneBuffer& right);
 
@@ -61,8 +71,16 @@ class ContactTangent
   std::vector<PatchLayout> patches_;
   ColumnFields columns_;
   int length_ = 0, products_ = 0;
-  LaneBuffer gap_, loaded_;           ///< gap, not used; 1 in the cells under pressure, otherwise 0
-  LaneBuffer x_, r_, z_, s_, q_;      ///< conjugate gradients: solution, residual, preconditioned, step, product
+  LaneBuffer gap_, loaded_;       ///< gap, not used; 1 in the cells under pressure, otherwise 0
+  LaneBuffer x_, r_, z_, s_, q_;  ///< conjugate gradients: solution, residual, preconditioned, step, product
+  /// A direction and its product with A_cc.
+  struct Earlier
+  {
+    LaneBuffer direction, product;
+  };
+  std::vector<Earlier> earlier_;  ///< only the first ones
+  int earlier_count_ = 0;
+  bool keeps_ = false;                ///< the next solution is added to them
   std::vector<LaneBuffer> openings_;  ///< one field for each displacement
 };
 }  // namespace wheel_rail_contact::core
