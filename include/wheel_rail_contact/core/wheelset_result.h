@@ -226,18 +226,24 @@ struct PatchResult
 };
 
 /// Derivatives of the contact of a wheelset, with ContactConfig::derivatives; otherwise empty. Track axes. An entry is
-/// NaN where the derivative does not exist; WheelsetResult::reason then gives the reason.
+/// NaN where the derivative does not exist; WheelsetResult::reason then gives the reason. Columns of motion are there
+/// with creep forces only.
 struct ContactDerivatives
 {
   /// Columns of `forces`: y, z [m], roll and yaw [rad] of the axle.
   static constexpr int positions = 4;
+  /// Columns of `solution`: y [m], yaw [rad], force_z [N], torque_x [N m].
+  static constexpr int givens = 4;
+  /// Further columns of `forces`: running speed, lateral and vertical velocity [m/s], roll rate, yaw rate, and rotation
+  /// about the axle [rad/s]. Those of `solution` are the same without vertical velocity and roll rate.
+  static constexpr int force_motions = 6, solution_motions = 4;
 
   /// Height and roll given. Rows: forces x, y, z [N] and moments x, y, z about the axle centre [N m] of both rails on
   /// the wheelset, as in WheelsetResult::rail_wrench. The deflection of the rails is included.
-  Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::RowMajor, 6, positions> forces;
+  Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::RowMajor, 6, positions + force_motions> forces;
   /// Height and roll solved; otherwise empty. Rows: z [m], roll [rad], Q and Y of the left wheel, then of the right one
-  /// [N]. Columns: y [m], yaw [rad], force_z [N], torque_x [N m].
-  Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::RowMajor, 6, positions> solution;
+  /// [N].
+  Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::RowMajor, 6, givens + solution_motions> solution;
 };
 
 /// Contact of a wheelset with both rails in one state: the output of WheelsetContact::evaluate().
