@@ -6,12 +6,12 @@
 #include <optional>
 #include <string>
 
-#include "core/balance/contact_derivatives.h"
 #include "core/balance/grid_levels.h"
 #include "core/balance/patch_result.h"
 #include "core/balance/wheelset_balance.h"
 #include "core/constants.h"
 #include "core/friction/contact_friction.h"
+#include "core/friction/wheelset_derivatives.h"
 #include "core/state_check.h"
 #include "core/stress_beneath.h"
 #include "core/text/formatted.h"
@@ -291,17 +291,20 @@ class WheelsetContact::Calculation
     }
   }
 
-  /// @param rubs  there is friction, which the derivatives leave out
+  /// @param rubs  there are creep forces
   void addDerivatives(bool rubs)
   {
-    if (derivatives_)
+    if (!derivatives_)
     {
-      const std::string_view fault =
-          rubs ? derivatives_->missing("no derivatives: they leave out creep forces", result_.derivatives)
-               : derivatives_->find(balance_, result_.derivatives);
-      result_.reason += result_.reason.empty() || fault.empty() ? "" : "; ";
-      result_.reason += fault;
+      return;
     }
+    derivatives_->clear(result_.derivatives);
+    const std::string_view fault =
+        result_.near_branch  ? "no derivatives: another equilibrium exists"
+        : friction_.isOpen() ? "no derivatives: friction jumps"
+                             : derivatives_->find(balance_, rubs ? &friction_.rolling() : nullptr, result_.derivatives);
+    result_.reason += result_.reason.empty() || fault.empty() ? "" : "; ";
+    result_.reason += fault;
   }
 
   void addPatches(Side side)

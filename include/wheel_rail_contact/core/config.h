@@ -33,7 +33,8 @@ struct ContactConfig
   /// Also searches for other equilibria of each state, see WheelsetResult::near_branch. Takes about ten times as long.
   /// No effect if height and roll are given.
   bool check_branches = false;
-  /// Also computes WheelsetResult::derivatives. Only with `automatic` and `conjugate_gradient`.
+  /// Also computes WheelsetResult::derivatives. Only with `automatic` and `conjugate_gradient`, without creep forces or
+  /// with `linear` and `fastsim`, and where rails bend under the lateral force of the contact.
   bool derivatives = false;
 };
 

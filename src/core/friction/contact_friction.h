@@ -36,6 +36,8 @@ class ContactFriction
   WheelsetState withFriction(WheelsetState state) const;
   /// Sets the friction assumed on the rails of a balance.
   void bear(WheelsetBalance& balance) const;
+  /// Friction of the last solve().
+  RollingWheelset& rolling() { return rolling_; }
   /// Adds friction to the result of solve(), see RollingWheelset.
   void addTo(const WheelsetBalance& balance, WheelsetResult& result) const { rolling_.addTo(balance, result); }
 

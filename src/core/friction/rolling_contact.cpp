@@ -16,13 +16,12 @@ using Eigen::Vector3d;
 
 namespace
 {
-/// Overlap of the undeformed bodies in a column of a patch at the height of the solution, side axes [m].
-double overlapOf(const CurvedProblem& problem, const NormalSolution& solution, std::size_t patch, int column)
+/// Overlap of the undeformed bodies in a column of a grid at the height of the solution [m].
+double overlapOf(const PressedGrid& grid, int side_column)
 {
-  const PatchGap& gap = problem.patches[patch];
-  const bool is_curved = !problem.normals.empty() && problem.normals[patch].weight.size() > 0;
-  const double weight = is_curved ? problem.normals[patch].weight[column] : 1;
-  return solution.approach * gap.weight * weight - gap.gap.col(column).minCoeff();
+  const bool is_curved = grid.normals != nullptr && grid.normals->weight.size() > 0;
+  const double weight = is_curved ? grid.normals->weight[side_column] : 1;
+  return grid.approach * grid.gap.weight * weight - grid.gap.gap.col(side_column).minCoeff();
 }
 
 /// Centre of pressure of a column along the track [m]; 0 without pressure.
@@ -48,47 +47,51 @@ void RollingContact::place(Side side, const WheelsetBalance& balance, std::size_
                            const RailRates& velocity)
 {
   side_ = side;
+  grid_ = grid;
+  direction_ = direction;
+  velocity_ = velocity;
   const WheelContact& contact = balance.wheel(side).contact();
-  const PatchPressure& pressure = contact.solution().patches[grid];
-  const Grid& cells = pressure.grid;
-  const double first = (0.5 - 0.5 * cells.nx) * cells.dx;
-  const double mirrored = -(cells.y0 + (cells.ny - 1) * cells.dy);
-  problem_.grid = {cells.nx, cells.ny, cells.dx, cells.dy, first, side == Side::left ? cells.y0 : mirrored};
-  wholePressure(side, cells, pressure.pressure, problem_.pressure);
-  const SemiAxes ellipse = equalEllipse(pressure);
+  const CurvedProblem& problem = contact.problem();
+  const SemiAxes ellipse = equalEllipse(contact.solution().patches[grid]);
   problem_.semi_axis_along = ellipse.along;
   problem_.semi_axis_across = ellipse.across;
-  is_new_ = true;
-  placeColumns(balance, grid);
-  setRail(direction, velocity);
-  problem_.normal_force = 0;
-  for (const Column& column : columns_)
-  {
-    problem_.normal_force += column.load;
-  }
-  whole_ = meanOf(0, static_cast<double>(columns_.size()));
-  is_joined_ = false;
+  placeColumns({problem.patches[grid], contact.solution().patches[grid].pressure, contact.grids().columns()[grid],
+                contact.grids().originOf(grid).x, balance.pose(), contact.rail().referencePoint(),
+                contact.solution().approach, problem.normals.empty() ? nullptr : &problem.normals[grid]});
 }
 
-void RollingContact::placeColumns(const WheelsetBalance& balance, std::size_t grid)
+void RollingContact::placeMoved(const PressedGrid& grid)
 {
-  const WheelContact& contact = balance.wheel(side_).contact();
-  const std::vector<SurfaceColumn>& surface = contact.grids().columns()[grid];
-  const double x = contact.grids().originOf(grid).x, sign = sideSign(side_), area = problem_.grid.cellArea();
-  const WheelsetPose axle = balance.pose();
-  const PlanePoint head = contact.rail().referencePoint();
-  head_ = {0, sign * head.y - axle.y, head.z - axle.z};
+  const bool is_joined = is_joined_;
+  placeColumns(grid);
+  if (is_joined)
+  {
+    strips_.measure(problem_);
+    join(per_strips_);
+  }
+}
+
+void RollingContact::placeColumns(const PressedGrid& grid)
+{
+  const Grid& cells = grid.gap.grid;
+  const double first = (0.5 - 0.5 * cells.nx) * cells.dx;
+  const double mirrored = -(cells.y0 + (cells.ny - 1) * cells.dy);
+  problem_.grid = {cells.nx, cells.ny, cells.dx, cells.dy, first, side_ == Side::left ? cells.y0 : mirrored};
+  wholePressure(side_, cells, grid.pressure, problem_.pressure);
+  is_new_ = true;
+  const double sign = sideSign(side_), area = problem_.grid.cellArea();
+  head_ = {0, sign * grid.head.y - grid.axle.y, grid.head.z - grid.axle.z};
   const int count = problem_.grid.ny;
   const auto side_column = [&](int column) { return side_ == Side::left ? column : count - 1 - column; };
   columns_.resize(static_cast<std::size_t>(count));
   for (int j = 0; j < count; ++j)
   {
-    const SurfaceColumn& at = surface[static_cast<std::size_t>(side_column(j))];
+    const SurfaceColumn& at = grid.columns[static_cast<std::size_t>(side_column(j))];
     Column& column = columns_[static_cast<std::size_t>(j)];
     column.place = {};
     column.place.angle = sign * std::atan2(-at.perOutward(), at.perUp());
-    column.on_rail = {x, sign * at.y - axle.y, at.z - axle.z};
-    column.overlap = overlapOf(contact.problem(), contact.solution(), grid, side_column(j));
+    column.on_rail = {grid.x, sign * at.y - grid.axle.y, at.z - grid.axle.z};
+    column.overlap = overlapOf(grid, side_column(j));
     column.centre_x = centreOf(problem_, j);
     column.load = area * problem_.pressure.col(j).sum() * std::hypot(at.perOutward(), at.perUp());
   }
@@ -102,6 +105,14 @@ void RollingContact::placeColumns(const WheelsetBalance& balance, std::size_t gr
     ContactPlace& place = columns_[static_cast<std::size_t>(j)].place;
     place.position = columns_[static_cast<std::size_t>(j)].on_rail - approach * sectionNormal(place);
   }
+  setRail();
+  problem_.normal_force = 0;
+  for (const Column& column : columns_)
+  {
+    problem_.normal_force += column.load;
+  }
+  whole_ = meanOf(0, static_cast<double>(count));
+  is_joined_ = false;
 }
 
 /// Columns from one to another as one: at the centre of pressure, with the direction of the sum of their normal forces.
@@ -148,19 +159,23 @@ std::size_t RollingContact::indexOf(Eigen::Index side_column) const
 
 void RollingContact::join()
 {
-  ellipses_.clear();
   strips_.measure(problem_);
-  const auto end = static_cast<double>(columns_.size());
-  const CreepStrips::Ellipse strips = strips_.ellipseOf(problem_, 0, end);
+  const CreepStrips::Ellipse strips = strips_.ellipseOf(problem_, 0, static_cast<double>(columns_.size()));
   const double a = problem_.semi_axis_along, b = problem_.semi_axis_across;
-  addEllipses(0, end, 1, {pi * a * b / strips.area, a / (b * strips.ratio)});
+  join({pi * a * b / strips.area, a / (b * strips.ratio)});
+}
+
+void RollingContact::join(const CreepStrips::Ellipse& per_strips)
+{
+  per_strips_ = per_strips;
+  ellipses_.clear();
+  addEllipses(0, static_cast<double>(columns_.size()), 1);
   columns_.swap(ellipses_);
   is_joined_ = true;
 }
 
 /// Adds the ellipses of columns from one to another, which may lie in a column.
-/// @param per_strips  area and ratio of the whole ellipse over those of its strips
-void RollingContact::addEllipses(double first, double end, double weight, const CreepStrips::Ellipse& per_strips)
+void RollingContact::addEllipses(double first, double end, double weight)
 {
   const auto load = [&](std::size_t j) { return columns_[j].load; };
   const auto begin = static_cast<std::size_t>(first), last = static_cast<std::size_t>(std::ceil(end)) - 1;
@@ -188,7 +203,7 @@ void RollingContact::addEllipses(double first, double end, double weight, const 
   if (least > 0)
   {
     const CreepStrips::Ellipse strips = strips_.ellipseOf(problem_, first, end);
-    const double square = per_strips.area * strips.area / pi, ratio = per_strips.ratio * strips.ratio;
+    const double square = per_strips_.area * strips.area / pi, ratio = per_strips_.ratio * strips.ratio;
     Column& ellipse = ellipses_.emplace_back(meanOf(first, end));
     ellipse.highest = highest;
     ellipse.weight = weight * least;
@@ -197,8 +212,8 @@ void RollingContact::addEllipses(double first, double end, double weight, const 
   }
   if (cut < end)
   {
-    addEllipses(first, cut, weight * (1 - least), per_strips);
-    addEllipses(cut, end, weight * (1 - least), per_strips);
+    addEllipses(first, cut, weight * (1 - least));
+    addEllipses(cut, end, weight * (1 - least));
   }
 }
 
@@ -224,7 +239,7 @@ CreepStatus RollingContact::solveEllipses()
   return status;
 }
 
-void RollingContact::setRail(const RailMotion& direction, const RailRates& velocity)
+void RollingContact::setRail()
 {
   const double sign = sideSign(side_);
   for (Column& column : columns_)
@@ -232,10 +247,10 @@ void RollingContact::setRail(const RailMotion& direction, const RailRates& veloc
     const Vector3d arm = column.on_rail - head_;
     const auto lateral = [&](const RailRates& rates) { return sign * (rates.lateral + rates.roll * arm.z()); };
     const auto vertical = [&](const RailRates& rates) { return rates.vertical - sign * rates.roll * arm.y(); };
-    column.place.slope_y = lateral(direction.slope) + column.on_rail.x() * lateral(direction.bend);
-    column.place.slope_z = vertical(direction.slope) + column.on_rail.x() * vertical(direction.bend);
-    column.place.rail_velocity_y = lateral(velocity);
-    column.place.rail_velocity_z = vertical(velocity);
+    column.place.slope_y = lateral(direction_.slope) + column.on_rail.x() * lateral(direction_.bend);
+    column.place.slope_z = vertical(direction_.slope) + column.on_rail.x() * vertical(direction_.bend);
+    column.place.rail_velocity_y = lateral(velocity_);
+    column.place.rail_velocity_z = vertical(velocity_);
     column.axes = patchAxes(column.place);
   }
 }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/balance/moved_contact.h"
 #include "core/balance/wheelset_balance.h"
 #include "core/creep/creep_strips.h"
 #include "wheel_rail_contact/core/creep.h"
@@ -28,6 +29,8 @@ class RollingContact
   /// Sets all columns of a grid of a wheel, and direction and velocity of its rail.
   void place(Side side, const WheelsetBalance& balance, std::size_t grid, const RailMotion& direction,
              const RailRates& velocity);
+  /// Sets all columns again after little has moved, for a difference. A contact that was joined is joined again.
+  void placeMoved(const PressedGrid& grid);
   /// Replaces the columns by the centres of pressure of ellipses.
   void join();
 
@@ -39,6 +42,9 @@ class RollingContact
   void forget();
 
   Side side() const { return side_; }
+  std::size_t grid() const { return grid_; }
+  /// Motion of the last solution.
+  const WheelsetMotion& motion() const { return motion_; }
   /// Sum over the columns [N].
   double normalForce() const { return whole_.load; }
   /// The contact at its centre of pressure.
@@ -68,10 +74,11 @@ class RollingContact
   };
 
   std::size_t indexOf(Eigen::Index side_column) const;
-  void addEllipses(double first, double end, double weight, const CreepStrips::Ellipse& per_strips);
+  void join(const CreepStrips::Ellipse& per_strips);
+  void addEllipses(double first, double end, double weight);
   CreepStatus solveEllipses();
-  void placeColumns(const WheelsetBalance& balance, std::size_t grid);
-  void setRail(const RailMotion& direction, const RailRates& velocity);
+  void placeColumns(const PressedGrid& grid);
+  void setRail();
   Column meanOf(double first, double end) const;
   const CreepForce& forceOf(std::size_t column) const
   {
@@ -82,6 +89,9 @@ class RollingContact
   Wrench onWheelset(std::size_t first, std::size_t end) const;
 
   Side side_ = Side::left;
+  std::size_t grid_ = 0;
+  RailMotion direction_;
+  RailRates velocity_;
   std::unique_ptr<CreepSolver> solver_;
   bool is_new_ = true;  ///< not solved since place()
   CreepProblem problem_;
@@ -89,8 +99,9 @@ class RollingContact
   WheelsetMotion motion_;        ///< of the solution
   std::vector<Column> columns_;  ///< from the right to the left, or ellipses
   std::vector<Column> ellipses_;
-  bool is_joined_ = false;  ///< the columns are ellipses
-  Column whole_;            ///< all columns as one
+  bool is_joined_ = false;           ///< the columns are ellipses
+  CreepStrips::Ellipse per_strips_;  ///< area and ratio of the whole ellipse over those of its strips
+  Column whole_;                     ///< all columns as one
   CreepStrips strips_;
   Eigen::Vector3d head_ = Eigen::Vector3d::Zero();  ///< reference point of the rail, from the axle centre [m]
 };

@@ -49,6 +49,7 @@ std::string_view RollingWheelset::solve(const WheelsetState& state, const Wheels
 {
   const TrackLine* line = config_.track.line.get();
   turn_ = line != nullptr ? turnOf(*line, state.distance) : Vector3d::Zero();
+  frame_turn_ = state.motion_over_ground ? Vector3d::Zero() : turn_;
   setContacts(state, balance);
   setMotion(state, balance);
   const Vector3d axle = axleDirection(motion_.yaw, motion_.roll);
@@ -111,9 +112,9 @@ void RollingWheelset::setMotion(const WheelsetState& state, const WheelsetBalanc
   motion_.roll = balance.roll();
   speed_ = motion_.speed;
   frame_rotation_ = 0;
-  if (!state.motion_over_ground && !turn_.isZero(0))
+  if (!frame_turn_.isZero(0))
   {
-    const Vector3d turn = speed_ * turn_, velocity = turn.cross(Vector3d(0, state.y, balance.height()));
+    const Vector3d turn = speed_ * frame_turn_, velocity = turn.cross(Vector3d(0, state.y, balance.height()));
     motion_.speed += velocity.x();
     motion_.lateral_velocity += velocity.y();
     motion_.vertical_velocity += velocity.z();
@@ -132,7 +133,6 @@ void RollingWheelset::setMotion(const WheelsetState& state, const WheelsetBalanc
   }
 }
 
-/// The contact of a side with the largest normal force; the number of contacts if there is none.
 std::size_t RollingWheelset::strongest(Side side) const
 {
   std::size_t most = count_;

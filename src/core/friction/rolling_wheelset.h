@@ -30,6 +30,19 @@ class RollingWheelset
   Wrench onWheel(Side side) const;
   /// Friction on a rail along its coordinates, with or without its lateral force, see RollingContact.
   Eigen::Vector3d onRail(Side side, bool with_lateral) const;
+
+  /// Number of contacts; left side first.
+  std::size_t count() const { return count_; }
+  RollingContact& contact(std::size_t index) { return contacts_[index]; }
+  /// The contact of a side with the largest normal force; the number of contacts if there is none.
+  std::size_t strongest(Side side) const;
+  /// Motion over ground of the last solution. With solved height and roll, each contact corrects its vertical velocity,
+  /// see RollingContact::solve().
+  const WheelsetMotion& motion() const { return motion_; }
+  /// Turn of the frame of the given motion [1/m]; zero if it is that over ground.
+  const Eigen::Vector3d& frameTurn() const { return frame_turn_; }
+  double speed() const { return speed_; }
+
   /// Adds friction to a result, whose patches have their pose and the forces by the pressure.
   void addTo(const WheelsetBalance& balance, WheelsetResult& result) const;
 
@@ -37,7 +50,6 @@ class RollingWheelset
   void setContacts(const WheelsetState& state, const WheelsetBalance& balance);
   RollingContact& nextContact(Side side);
   void setMotion(const WheelsetState& state, const WheelsetBalance& balance);
-  std::size_t strongest(Side side) const;
   double momentAbout(const Eigen::Vector3d& axle, double rotation);
   bool rollFreely(const Eigen::Vector3d& axle);
   bool followSecants(const Eigen::Vector3d& axle, double start, double accuracy);
@@ -49,8 +61,9 @@ class RollingWheelset
   Sides<ShearElasticity> elasticity_;
   WheelsetMotion motion_;                           ///< over ground
   Eigen::Vector3d turn_ = Eigen::Vector3d::Zero();  ///< of the track frame, see turnOf()
-  double speed_ = 0, frame_rotation_ = 0;           ///< along the track [m/s]; of the frame about y, in motion_ [rad/s]
-  std::vector<RollingContact> contacts_;  ///< only the first ones are contacts of the balance; left side first
+  Eigen::Vector3d frame_turn_ = Eigen::Vector3d::Zero();
+  double speed_ = 0, frame_rotation_ = 0;  ///< along the track [m/s]; of the frame about y, in motion_ [rad/s]
+  std::vector<RollingContact> contacts_;   ///< only the first ones are contacts of the balance; left side first
   std::size_t count_ = 0;
   std::vector<std::size_t> contact_of_;  ///< contact of each patch of the result
   std::vector<CreepStatus> statuses_;

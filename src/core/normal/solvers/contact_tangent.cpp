@@ -30,45 +30,12 @@ void ContactTangent::precondition()
   mask(z_);
 }
 
-/// Starts a solution from those of earlier right sides: their directions are orthogonal with respect to A_cc.
-void ContactTangent::startFromEarlier()
-{
-  for (int k = 0; k < earlier_count_; ++k)
-  {
-    const auto& [direction, product] = earlier_[static_cast<std::size_t>(k)];
-    const double share = dot(direction, r_) / dot(direction, product);
-    kernels_.add(length_, share, direction.data(), x_.data());
-    kernels_.add(length_, -share, product.data(), r_.data());
-  }
-  if (keeps_)
-  {
-    for (LaneBuffer* field : {&earlier_[static_cast<std::size_t>(earlier_count_)].direction,
-                              &earlier_[static_cast<std::size_t>(earlier_count_)].product})
-    {
-      field->resize(length_);
-    }
-    std::copy_n(x_.data(), length_, earlier_[static_cast<std::size_t>(earlier_count_)].direction.data());
-    std::copy_n(r_.data(), length_, earlier_[static_cast<std::size_t>(earlier_count_)].product.data());
-  }
-}
-
-/// Keeps what a solution added to its start.
-void ContactTangent::keepSolution()
-{
-  auto& [direction, product] = earlier_[static_cast<std::size_t>(earlier_count_)];
-  kernels_.scale(length_, -1, direction.data());
-  kernels_.add(length_, 1, x_.data(), direction.data());
-  kernels_.add(length_, -1, r_.data(), product.data());
-  earlier_count_ += dot(direction, product) > 0 ? 1 : 0;
-}
-
 /// Solves A_cc x = right by preconditioned conjugate gradients (Hestenes & Stiefel 1952).
 void ContactTangent::solve(const LaneBuffer& right)
 {
   std::fill_n(x_.data(), length_, 0.0);
   std::copy_n(right.data(), length_, r_.data());
   const double enough = residual_ * largest(right);
-  startFromEarlier();
   precondition();
   std::copy_n(z_.data(), length_, s_.data());
   double r_z = dot(r_, z_);
@@ -143,8 +110,6 @@ void ContactTangent::pressures(const CurvedProblem& problem, const NormalSolutio
   openings_.resize(1);
   openings_[0].resize(length_);
   changes.resize(openings.size());
-  earlier_.resize(openings.size());
-  keeps_ = true;
   for (std::size_t m = 0; m < openings.size(); ++m)
   {
     std::fill_n(openings_[0].data(), length_, 0.0);
@@ -156,15 +121,12 @@ void ContactTangent::pressures(const CurvedProblem& problem, const NormalSolutio
     columns_.scaleOpening(openings_[0]);
     mask(openings_[0]);
     solve(openings_[0]);
-    keepSolution();
     columns_.scaleOpening(x_);
     for (std::size_t k = 0; k < patches_.size(); ++k)
     {
       fromField(patches_[k], -patches_[k].stiffness, x_, changes[m][k]);
     }
   }
-  keeps_ = false;
-  earlier_count_ = 0;
 }
 
 ContactTangent::Forces ContactTangent::column(Eigen::Index displacement)

@@ -39,7 +39,7 @@ class ContactTangent
                    const std::vector<Eigen::ArrayXXd>& openings, Eigen::Index displacement);
 
   /// Changes of the pressure in the loaded cells by changes of the gap of each cell, one after the other.
-  /// @param openings  for each patch and displacement an array rows() × ny
+  /// @param openings  for each displacement and patch an array rows() × ny
   /// @param changes   set to arrays of the same shape [Pa per unit]; not a number where the iteration fails
   void pressures(const CurvedProblem& problem, const NormalSolution& solution,
                  const std::vector<std::vector<Eigen::ArrayXXd>>& openings,
@@ -59,8 +59,6 @@ class ContactTangent
     return Eigen::Map<const Eigen::ArrayXd>(field.data(), length_).abs().maxCoeff();
   }
   void mask(LaneBuffer& field) const { kernels_.multiply_by(length_, loaded_.data(), field.data()); }
-  void startFromEarlier();
-  void keepSolution();
   void precondition();
   void solve(const LaneBuffer& right);
 
@@ -71,16 +69,8 @@ class ContactTangent
   std::vector<PatchLayout> patches_;
   ColumnFields columns_;
   int length_ = 0, products_ = 0;
-  LaneBuffer gap_, loaded_;       ///< gap, not used; 1 in the cells under pressure, otherwise 0
-  LaneBuffer x_, r_, z_, s_, q_;  ///< conjugate gradients: solution, residual, preconditioned, step, product
-  /// A direction and its product with A_cc.
-  struct Earlier
-  {
-    LaneBuffer direction, product;
-  };
-  std::vector<Earlier> earlier_;  ///< only the first ones
-  int earlier_count_ = 0;
-  bool keeps_ = false;                ///< the next solution is added to them
+  LaneBuffer gap_, loaded_;           ///< gap, not used; 1 in the cells under pressure, otherwise 0
+  LaneBuffer x_, r_, z_, s_, q_;      ///< conjugate gradients: solution, residual, preconditioned, step, product
   std::vector<LaneBuffer> openings_;  ///< one field for each displacement
 };
 }  // namespace wheel_rail_contact::core
