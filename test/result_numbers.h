@@ -81,6 +81,8 @@ inline void visitNumbers(const core::WheelsetResult& result, const Number& numbe
     visitRail(fieldsOf(result.rail[side], number));
     visitWheel(fieldsOf(result.wheel[side], number));
   }
+  visitNumbers(result.derivatives.forces.array(), "derivatives: forces", number);
+  visitNumbers(result.derivatives.solution.array(), "derivatives: solution", number);
   for (const core::PatchResult& patch : result.patches)
   {
     visitNumbers(patch, number);

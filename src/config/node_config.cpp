@@ -209,6 +209,7 @@ void readContact(ParameterReader& reader, core::ContactConfig& contact)
   reader.read("contact/grid/along", rules::whole, contact.cells_along);
   reader.read("contact/grid/across", rules::whole, contact.cells_across);
   reader.read("contact/check_branches", {{"false", false}, {"true", true}}, contact.check_branches);
+  reader.read("contact/derivatives", {{"false", false}, {"true", true}}, contact.derivatives);
 }
 
 void readStress(ParameterReader& reader, core::StressConfig& stress)

@@ -267,6 +267,14 @@ void bindResults(py::module& module)
       .def_readonly("rotation", &WheelsetResult::rotation,
                     "rotation about the axle, given or free, positive when it rolls forward [rad/s]; 0 without creep "
                     "forces")
+      .def_property_readonly(
+          "derivatives",
+          [](const WheelsetResult& r)
+          {
+            return py::module::import("wheel_rail_contact.core.derivatives")
+                .attr("Derivatives")(r.derivatives.forces, r.derivatives.solution);
+          },
+          "Derivatives of the forces, and of height and roll, with contact/derivatives")
       .def_property_readonly("patches", &patchesIn, "list of PatchResult, left side first")
       .def("__repr__", [](const WheelsetResult& result) { return textOf(result); });
 }

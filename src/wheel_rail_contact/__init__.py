@@ -9,6 +9,7 @@ _MODULES = {
     "WheelsetContact": "contact",
     "ellipse_creep_force": "creep",
     "kalker_coefficients": "creep",
+    "named_derivatives": "derivatives",
     "read_compliance_table": "profiles",
     "read_profile": "profiles",
     "plot_pressure": "pressure",

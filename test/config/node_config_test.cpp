@@ -121,11 +121,11 @@ TEST(Parameters, DefaultFileHasTheDefaultsOfTheCode)
         config.distance_topic, model.wheelset.flange_back_distance, model.wheelset.tape_circle,
         model.wheelset.solve_height_and_roll, bending.model, bending.lateral_force, bending.prescribed.lateral,
         bending.prescribed.vertical, bending.prescribed.roll, model.contact.method, model.contact.tolerance,
-        model.contact.cells_along, model.contact.cells_across, model.contact.check_branches, model.creep.method,
-        model.creep.rotation, model.creep.field, config.slop, config.interpolate_load, config.longest_gap,
-        config.markers.rate, config.markers.rail_length, config.markers.force_scale, config.markers.max_pressure,
-        config.markers.zoom, config.markers.zoom_height, config.markers.pressure_height, config.min_rate,
-        config.max_delay);
+        model.contact.cells_along, model.contact.cells_across, model.contact.check_branches, model.contact.derivatives,
+        model.creep.method, model.creep.rotation, model.creep.field, config.slop, config.interpolate_load,
+        config.longest_gap, config.markers.rate, config.markers.rail_length, config.markers.force_scale,
+        config.markers.max_pressure, config.markers.zoom, config.markers.zoom_height, config.markers.pressure_height,
+        config.min_rate, config.max_delay);
   };
   EXPECT_EQ(values(file), values(NodeConfig()));
   const std::string required = "{wheel: {profile: S1002}, rail: {profile: 60E1}}";  // nothing else

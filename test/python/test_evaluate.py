@@ -13,12 +13,15 @@ import warnings
 
 import numpy as np
 import rosbag
-from wheel_rail_contact import WheelsetContact, to_array
+from wheel_rail_contact import WheelsetContact, named_derivatives, to_array
+from wheel_rail_contact.core.derivatives import Derivatives
 from wheel_rail_contact.message_constants import SIDES, STATUSES
+from wheel_rail_contact.msg import ContactDerivatives
 from wheel_rail_contact.states.state import State, write_bag
 
 REPLAY = os.environ["CONTACT_REPLAY"]
 LOAD = -200e3  # of the axle [N]
+DERIVATIVES = {"contact": {"derivatives": True}}
 PADS = {"rail_bending": {"model": "compliance", "table": "config/rails/pads_40_100.yaml"}}
 NUMBERS = ("float64", "uint32")  # of the messages of patches, wheels and rails
 ROUNDING = 1e-7  # of numbers in messages, relative: the pressures are float32, poses are quaternions
@@ -81,6 +84,10 @@ class EvaluateEqualsReplay(unittest.TestCase):
         for name in ("force", "torque"):
             expected = getattr(message.rail_wrench, name)
             self.assert_close(getattr(result.rail_wrench, name), [expected.x, expected.y, expected.z], name)
+        derivatives, expected = result.derivatives, named_derivatives(message.derivatives)
+        for value, matrix in ((derivatives.forces, expected.forces), (derivatives.solution, expected.solution)):
+            self.assertEqual((value.rows, value.columns), (matrix.rows, matrix.columns))
+            np.testing.assert_allclose(value, matrix, rtol=1e-6, atol=1e-6 * np.abs(np.nan_to_num(matrix)).max(initial=0))
         self.assertEqual(len(result.patches), len(message.patches))
         for patch, expected in zip(result.patches, message.patches):
             self.assert_equal_patch(patch, expected)
@@ -90,8 +97,9 @@ class EvaluateEqualsReplay(unittest.TestCase):
         lateral = np.linspace(-6.5e-3, 6.5e-3, 21)
         states = [State(1_000_000_000 + i * 10_000_000, y=y, force_z=LOAD, torque_x=torque)
                   for i, (y, torque) in enumerate([*((y, 1e6 * y) for y in lateral), (0.0, 3e5)])]
-        messages = replayed(states, PADS)
-        contact = WheelsetContact(PADS)
+        messages = replayed(states, {**PADS, **DERIVATIVES})
+        contact = WheelsetContact([PADS, DERIVATIVES])
+        self.assertEqual([len(messages[0].derivatives.forces), len(messages[0].derivatives.solution)], [24, 24])
         self.assertEqual(len(messages), len(states))
         self.assertEqual({STATUSES[message.status] for message in messages}, {"OK", "LIFT_OFF"})
         for state, message in zip(states, messages):
@@ -121,6 +129,47 @@ class EvaluateEqualsReplay(unittest.TestCase):
             # The quaternion rounds the yaw. The tolerance of the solution is 1 %.
             np.testing.assert_allclose([patch.pose.position.x - 12.5, patch.max_pressure],
                                        [expected.pose.position.x - 12.5, expected.max_pressure], rtol=0.01)
+
+
+class DerivativesHaveNames(unittest.TestCase):
+    def test_names_and_numbers_are_indices(self):
+        numbers = np.arange(60.0).reshape(6, 10)
+        forces = named_derivatives(ContactDerivatives(forces=numbers.ravel(), solution=())).forces
+        np.testing.assert_array_equal(forces, numbers)
+        self.assertEqual((forces["force_y", "yaw"], forces[1, 3], forces["torque_z"][0]), (13, 13, 50))
+        rows, columns = ["torque_z", "force_y"], ["lateral_velocity", "y"]
+        np.testing.assert_array_equal(forces[rows, columns], [[55, 50], [15, 10]])
+        np.testing.assert_array_equal(forces[:, "rotation"], numbers[:, 9])
+
+    def test_other_names_and_numbers_of_entries_are_refused(self):
+        with self.assertRaisesRegex(KeyError, "'pitch' is none of y, z, roll, yaw"):
+            Derivatives(np.zeros(24), ()).forces["force_y", "pitch"]
+        with self.assertRaisesRegex(KeyError, "'z' is none of the names, because there are no derivatives"):
+            WheelsetContact().evaluate(force_z=LOAD).derivatives.solution["z", "y"]
+        for count in (23, 66):
+            with self.assertRaises(ValueError):
+                Derivatives(np.zeros(count), ())
+
+    def test_solved_forces_follow_from_those_at_given_height_and_the_height(self):
+        derivatives = WheelsetContact(DERIVATIVES).evaluate(y=2e-3, force_z=LOAD).derivatives
+        forces, solution = derivatives.forces, derivatives.solution
+        force_y = forces["force_y", "y"] + forces["force_y", ["z", "roll"]] @ solution[["z", "roll"], "y"]
+        sides = solution["right_lateral_force", "y"] - solution["left_lateral_force", "y"]
+        self.assertAlmostEqual(force_y, sides, delta=1e-3 * abs(forces["force_y", "y"]))
+
+    def test_columns_of_motion_are_differences(self):
+        contact = WheelsetContact([DERIVATIVES, {"creep": {"method": "linear"}, "wheelset": {"free": []}}])
+        twist = {"speed": 20.0, "lateral_velocity": 0.01}
+
+        def forces(name, velocity):
+            wrench = contact.evaluate(z=0.4599, twist={**twist, name: twist.get(name, 0.0) + velocity}).rail_wrench
+            return np.concatenate([wrench.force, wrench.torque])
+
+        derivatives = contact.evaluate(z=0.4599, twist=twist).derivatives.forces
+        for name in ("lateral_velocity", "vertical_velocity", "roll_rate", "yaw_rate"):
+            column = derivatives[:, name]
+            difference = (forces(name, 1e-4) - forces(name, -1e-4)) / 2e-4
+            np.testing.assert_allclose(column, difference, atol=0.01 * np.abs(column).max(), err_msg=name)
 
 
 class ResultIsAValue(unittest.TestCase):

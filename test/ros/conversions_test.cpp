@@ -75,6 +75,8 @@ core::WheelsetResult exampleResult()
   result.wheel = {core::WheelForces{1e5, 3.5e3}, core::WheelForces{4e4, -2e3}};
   result.rail_wrench = {{0, -1.5e3, 1.4e5}, {4e4, 20, -30}};
   result.implausible_force = true;
+  result.derivatives.forces.setRandom(6, 10);
+  result.derivatives.solution.setRandom(6, 8);
   result.patches = {examplePatch(core::Side::left), examplePatch(core::Side::right)};
   return result;
 }
@@ -174,6 +176,21 @@ TEST(Conversions, StressFieldIsStoredInTheDocumentedOrder)
   EXPECT_EQ(message.stress[((1 * 6 + 4) * 3 + 2) * 4 + 1],
             static_cast<float>(patch.rail_stress.field[1].components[4](1, 2)));
   EXPECT_TRUE(toMessage(patch, 0, false).rail_stress.stress.empty());
+}
+
+TEST(Conversions, DerivativesAreStoredRowByRow)
+{
+  core::WheelsetResult result;
+  EXPECT_TRUE(toMessage(result, 0, true).derivatives.forces.empty());
+  result.derivatives.forces.setRandom(6, 4);
+  WheelsetContact message = toMessage(result, 0, false);
+  ASSERT_EQ(message.derivatives.forces.size(), 24U);
+  EXPECT_TRUE(message.derivatives.solution.empty());
+  EXPECT_EQ(message.derivatives.forces[1 * 4 + 3], result.derivatives.forces(1, 3));
+  message.derivatives.forces.pop_back();
+  EXPECT_THROW(fromMessage(message), std::invalid_argument);
+  message.derivatives.forces.resize(66);
+  EXPECT_THROW(fromMessage(message), std::invalid_argument);
 }
 
 TEST(Conversions, UnknownConstantsAreRefused)

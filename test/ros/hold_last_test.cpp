@@ -41,6 +41,7 @@ ContactOutput result(int number, std::uint8_t status)
     solved.roll = roll;
     solved.wheel.left.vertical = solved.rail.left.vertical_force = wheel_force;
     solved.rail_wrench.force.z() = wheel_force;
+    solved.derivatives.forces.setOnes(6, 4);
     core::PatchResult& patch = solved.patches.emplace_back();
     patch.pose.x = 1e-3;
     patch.normal_force = wheel_force;
@@ -130,6 +131,8 @@ TEST(HoldLast, HeldResultWithoutAPoseHasThePoseAndThePatchesOfTheLastUsableOne)
     EXPECT_EQ(held->status, status);
     EXPECT_EQ(bytesOf(held->wheelset), bytesOf(usable->wheelset));
     EXPECT_EQ(held->distance, 1052);
+    EXPECT_EQ(usable->derivatives.forces.size(), 24U);
+    EXPECT_TRUE(held->derivatives.forces.empty()) << "a held force does not change";
     ASSERT_EQ(held->patches.size(), 1U);
     EXPECT_EQ(held->patches[0].pose.position.x, usable->patches[0].pose.position.x) << "the patch does not move";
     EXPECT_EQ(held->status_text,

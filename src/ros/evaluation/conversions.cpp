@@ -116,6 +116,23 @@ std::vector<float> tractionMessage(const Eigen::ArrayXXd& tractions)
   return values;
 }
 
+/// Entries of a matrix, row by row.
+template <typename Matrix>
+std::vector<double> entriesOf(const Matrix& matrix)
+{
+  static_assert(Matrix::IsRowMajor);
+  return {matrix.data(), matrix.data() + matrix.size()};
+}
+
+template <typename Matrix>
+void readEntries(const std::vector<double>& values, const char* name, Matrix& matrix)
+{
+  constexpr std::size_t rows = Matrix::RowsAtCompileTime, most = Matrix::MaxSizeAtCompileTime;
+  core::refuseIf(values.size() % rows != 0 || values.size() > most, name, ": ", values.size(), " values for ", rows,
+                 " rows of at most ", most / rows);
+  matrix = Eigen::Map<const Matrix>(values.data(), rows, static_cast<Eigen::Index>(values.size() / rows));
+}
+
 /// Wheelset pose of a message; zero without a pose (hasPose()).
 core::WheelsetPose wheelsetPoseFromMessage(const geometry_msgs::Pose& pose)
 {
@@ -289,6 +306,8 @@ WheelsetContact toMessage(const core::WheelsetResult& result, double x, bool wit
   message.speed = result.speed;
   message.rotation = result.rotation;
   message.implausible_force = result.implausible_force;
+  message.derivatives.forces = entriesOf(result.derivatives.forces);
+  message.derivatives.solution = entriesOf(result.derivatives.solution);
   visitRail(writing(result.rail.left, message.left_rail));
   visitRail(writing(result.rail.right, message.right_rail));
   message.patches.reserve(result.patches.size());
@@ -316,6 +335,8 @@ core::WheelsetResult fromMessage(const WheelsetContact& message)
   result.speed = message.speed;
   result.rotation = message.rotation;
   result.implausible_force = message.implausible_force;
+  readEntries(message.derivatives.forces, "derivatives: forces", result.derivatives.forces);
+  readEntries(message.derivatives.solution, "derivatives: solution", result.derivatives.solution);
   visitRail(reading(message.left_rail, result.rail.left));
   visitRail(reading(message.right_rail, result.rail.right));
   for (const ContactPatch& patch : message.patches)

@@ -41,6 +41,7 @@ void HoldLast::apply(ContactOutput& output)
 void HoldLast::hold(ContactOutput& output) const
 {
   auto result = std::make_shared<core::WheelsetResult>(*last_->result);
+  result->derivatives = {};  // held forces do not change
   output.reason = sentences(
       output.reason,
       formatted("%sforces and patches are held from the result at %" PRIu32 ".%09" PRIu32 " s (%d of at most %d)",
