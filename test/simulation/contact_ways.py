@@ -6,6 +6,7 @@ import math
 import subprocess
 import sys
 import unittest
+from pathlib import Path
 
 import numpy as np
 import roslib.packages
@@ -24,10 +25,12 @@ STEPS = 1200  # with a whole second, and several times 200 results: warm-start r
 TIMEOUT = 60  # [s]
 
 
-def motion_with(contact):
-    """y [m] and yaw [rad] of a wheelset at 40 m/s that starts displaced by 3 mm."""
-    wheelset, held = Wheelset(read_parameters()), HeldContact(contact, 0)
-    return np.array([(wheelset.advance(held), wheelset.position)[1] for _ in range(STEPS)])
+def motion_with(contact, steps=STEPS):
+    """y, z [m], roll and yaw [rad] of a wheelset at 40 m/s that starts displaced by 3 mm."""
+    wheelset, held = Wheelset(read_parameters(), contact.height_given), HeldContact(contact, 0)
+    if contact.height_given:
+        wheelset.start(contact)
+    return np.array([(wheelset.advance(held), wheelset.position)[1] for _ in range(steps)])
 
 
 @functools.lru_cache()
@@ -44,21 +47,24 @@ class ContactWays(unittest.TestCase):
             np.testing.assert_allclose(motion_with(way("contact_node", "track")), motion_in_process(), rtol=0, atol=1e-6)
         self.assertGreater(np.ptp(motion_in_process()[:, 0]), 3e-3)
 
+    def test_given_height_gives_the_motion_of_the_library(self):
+        expected = motion_with(open_contact(Path(__file__).with_name("given.yaml")), 100)
+        for way in (TopicContact, ServiceContact):
+            np.testing.assert_allclose(motion_with(way("given_height", "track"), 100), expected, rtol=0, atol=1e-6)
+
     def test_node_that_expects_another_load_is_refused(self):
         moments = {"wheelset": {"balance": "moments"}}
         linear = {**moments, "creep": {"method": "linear"}}
         for name, parameters, message in (
                 ("default_balance", {}, "/default_balance/wheelset/balance = wheel_loads must be moments: the load of this"),
                 ("frictionless", moments, "/frictionless/creep/method = none must be linear, fastsim or exact: this program"),
-                ("rotating", {**moments, "creep": {"method": "linear", "rotation": "topic"}}, "/creep/rotation = topic must be"),
-                ("given_height", {**linear, "wheelset": {"balance": "moments", "free": []}},
-                 r"/given_height/wheelset/free = \[\] must be \[z, roll\]: this program does not integrate height and roll")):
+                ("rotating", {**moments, "creep": {"method": "linear", "rotation": "topic"}}, "/creep/rotation = topic must be")):
             rospy.set_param(name, parameters)
             with self.assertRaisesRegex(Failure, message):
                 TopicContact(name, "track")
         rospy.set_param("suitable", linear)
-        require_load("suitable")
-        require_load("contact_node")
+        self.assertFalse(require_load("suitable"))
+        self.assertFalse(require_load("contact_node"))
 
     def test_wheelset_hunts_in_a_limit_cycle_with_the_node(self):
         contact = ServiceContact("contact_node", "track")

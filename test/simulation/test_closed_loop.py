@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Physics of the closed loop in process: S1002 on 60E1, 100 kN on each wheel."""
+import contextlib
+import io
 import math
 import os
 import tempfile
@@ -9,11 +11,16 @@ from pathlib import Path
 import numpy as np
 from sweep import Sweep
 
+from wheel_rail_contact.line.command_line import main as make_irregular_line
 from wheel_rail_contact.simulation.closed_loop import run_closed_loop
 from wheel_rail_contact.simulation.contact import HeldContact, open_contact
 from wheel_rail_contact.simulation.parameters import read_parameters, step_count
 from wheel_rail_contact.simulation.stability import Stability
 from wheel_rail_contact.simulation.wheelset import Wheelset
+
+
+SOFT = 0.05e6, 0.05e6  # waves of every amplitude on the tread grow at 40 m/s
+STIFF = 5e6, 2e6
 
 
 def free_wheelset(**run):
@@ -23,11 +30,18 @@ def free_wheelset(**run):
     return p
 
 
-def softly_guided(**run):
-    """On a suspension so soft that waves of every amplitude on the tread grow at 40 m/s."""
+def guided(stiffness, **run):
+    """On a suspension with these longitudinal and lateral stiffnesses of an axle box [N/m]."""
     p = read_parameters(run={"speed": 40.0, **run})
-    p["suspension"].update(longitudinal_stiffness=0.05e6, lateral_stiffness=0.05e6)
+    p["suspension"].update(zip(("longitudinal_stiffness", "lateral_stiffness"), stiffness))
     return p
+
+
+def left_forces(contact, step):
+    """Q of the left wheel at 40 m/s in 0.5 s, in rows of 20 ms [N]."""
+    forces, p = [], guided(STIFF, y=0.0, duration=0.5, step=step)
+    run_closed_loop(p, contact, lambda request, reply, is_held: forces.append(reply.left_wheel.vertical_force))
+    return np.reshape(forces, (25, -1))
 
 
 def half_waves(p):
@@ -61,7 +75,7 @@ class ClosedLoop(unittest.TestCase):
             self.assert_ratio(2 * half_wave, sweep.kinematic_wavelength(amplitude), 0.01)
 
     def test_soft_guidance_ends_in_one_limit_cycle_from_both_sides(self):
-        runs = [run_closed_loop(softly_guided(**start), open_contact())
+        runs = [run_closed_loop(guided(SOFT, **start), open_contact())
                 for start in ({"y": 0.0015, "duration": 5.0}, {"y": 0.0, "yaw": 0.0065, "duration": 2.0})]
         growing, falling = waves = [run.waves() for run in runs]
         for run, wave in zip(runs, waves):
@@ -86,17 +100,10 @@ class ClosedLoop(unittest.TestCase):
         self.assertGreater(growing.wavelength, sweep.kinematic_wavelength(growing.largest_y))
         self.assertLess(growing.wavelength, sweep.kinematic_wavelength(0.002))
 
-        # Energy: the work of the drag becomes heat in the contacts. The step of 1 ms adds 3 %, one of 0.25 ms 1 %.
+        # Energy: the work of the drag becomes heat in the contacts. The step of 1 ms leaves 0.8 %.
         work = 40 * growing.drag
-        self.assertGreater(work, 100)
-        self.assert_ratio(growing.friction_power, work, 0.05)
-
-    def test_friction_takes_the_work_of_the_drag_in_the_limit_cycle(self):
-        p = read_parameters(run={"y": 0.0058, "duration": 1.1, "step": 0.25e-3})
-        waves = run_closed_loop(p, open_contact()).waves()
-        self.assertGreaterEqual(waves.count, 1)
-        self.assertGreater(waves.drag, 20)
-        self.assert_ratio(waves.friction_power, waves.drag * p["run"]["speed"], 0.02)
+        self.assertGreater(work, 800)
+        self.assert_ratio(growing.friction_power, work, 0.02)
 
     def test_small_waves_grow_as_the_linear_theory_states(self):
         stability = Stability(read_parameters(), open_contact())
@@ -110,11 +117,25 @@ class ClosedLoop(unittest.TestCase):
             self.assertEqual(growth > 0, speed > 40)
 
     def test_stiff_guidance_damps_the_wave(self):
-        p = read_parameters(run={"duration": 1.5})
-        p["suspension"].update(longitudinal_stiffness=5e6, lateral_stiffness=2e6)
-        run = run_closed_loop(p, open_contact())
-        self.assertLess(run.waves().largest_y, 0.1 * p["run"]["y"])
+        run = run_closed_loop(guided(STIFF, y=0.003, duration=1.5), open_contact())
+        self.assertLess(run.waves().largest_y, 0.1 * 0.003)
         self.assertEqual(run.saturated, 0)
+
+    def test_given_height_has_the_forces_of_smaller_steps_and_of_solved_height(self):
+        with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()):
+            line, config = Path(folder) / "line.csv", Path(folder) / "config.yaml"
+            make_irregular_line([str(line), "--length", "50"])
+            config.write_text(f"track: {{line: {line}}}\n", encoding="ascii")
+            solved = left_forces(open_contact(config), 1e-3)
+            config.write_text(f"track: {{line: {line}}}\nwheelset: {{free: []}}\ncontact: {{derivatives: true}}\n")
+            given, fine = (left_forces(open_contact(config), step) for step in (1e-3, 0.25e-3))
+        # Smaller steps resolve more of the motion on the contact stiffness, 200 Hz, of which means over 20 ms have little. The
+        # solved height has none of it. The line moves the means by 1.8 kN.
+        solved_mean, given_mean, fine_mean = (np.mean(forces, axis=1) for forces in (solved, given, fine))
+        self.assertGreater(np.std(fine_mean), 1000)
+        np.testing.assert_allclose(given_mean, fine_mean, rtol=0, atol=400)
+        np.testing.assert_allclose(given_mean, solved_mean, rtol=0, atol=400)
+        self.assertLess(np.std(given), 1.2 * np.std(fine))  # nothing grows
 
     def test_wheelset_follows_a_misaligned_track(self):
         size, length = 0.004, 30.0  # a smooth step to the left, in both rails [m]

@@ -24,7 +24,6 @@ MISTAKES = (
     ("run: {step: 20, duration: 10}", "run/step = 20 must be at least 1e-06 s, and at most run/duration"))
 BENDING = "rail_bending: {model: compliance, table: package://wheel_rail_contact/config/rails/pads_10_25.yaml, "
 CONTACT_MISTAKES = (
-    ("wheelset: {free: []}", "wheelset/free = [] must be [z, roll]: this program does not integrate height and roll"),
     ("wheelset: {balance: wheel_loads}", "wheelset/balance = wheel_loads must be moments: the load of this program is for it"),
     ("creep: {method: none}", "creep/method = none must be linear, fastsim or exact: this program has no friction of its own"),
     ("creep: {rotation: topic}", "creep/rotation = topic must be free: this program does not integrate the rotation"),

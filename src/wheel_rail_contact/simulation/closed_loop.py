@@ -17,14 +17,16 @@ def run_closed_loop(p, contact, add_row=None):
     p: see read_parameters(). contact: a way to the contact calculation. add_row: see motion_table(). Raises Failure if the
     contact cannot be reached, has no usable result in too many successive steps, or the motion does not converge.
     """
-    summary, wheelset = Summary(p["run"]["speed"]), Wheelset(p)
+    summary, wheelset = Summary(p["run"]["speed"]), Wheelset(p, contact.height_given)
     held = HeldContact(contact, p["run"]["held_steps"])
+    if contact.height_given:
+        wheelset.start(contact)
     for _ in range(step_count(p["run"])):
-        begin, request = time.perf_counter(), wheelset.request()
+        begin = time.perf_counter()
         reply = wheelset.advance(held)
-        summary.add(request, reply, time.perf_counter() - begin)
+        summary.add(wheelset.sent, reply, time.perf_counter() - begin)
         if add_row:
-            add_row(request, reply, held.in_a_row > 0)
+            add_row(wheelset.sent, reply, held.in_a_row > 0)
     summary.held = held.held
     return summary
 
@@ -48,7 +50,7 @@ class Summary:
         self.held = 0       # steps with the contact of an earlier one, because there was no usable result
 
     def add(self, request, reply, seconds):
-        """Adds a step: the request at its start, the contact in it, and its wall time."""
+        """Adds a step: the request at its end, its contact, and its wall time."""
         self._rows.append((request.x, request.y, -reply.rail_wrench.force.x, friction_power(reply)))
         self._seconds.append(seconds)
         self.saturated += any(map(is_saturated, reply.patches))

@@ -3,13 +3,15 @@
 import wheel_rail_contact
 
 from ..command import Failure, shipped
+from .wheelset import VELOCITIES, Request
 
 CONFIG = "config/simulate_contact.yaml"
+SOLVED = "[z, roll]"  # of wheelset/free: the contact calculation finds height and roll
 # Parameters that the load and the motion of the example are written for: name, default, permitted values, reason.
 RULES = (("wheelset/balance", "wheel_loads", ("moments",), "the load of this program is for it"),
          ("creep/method", "none", ("linear", "fastsim", "exact"), "this program has no friction of its own"),
          ("creep/rotation", "free", ("free",), "this program does not integrate the rotation"),
-         ("wheelset/free", "[z, roll]", ("[z, roll]",), "this program does not integrate height and roll"),
+         ("wheelset/free", SOLVED, (SOLVED, "[]"), "this program integrates both or none"),
          ("track/displacement", "none", ("none",), "this program does not move the rails"),
          ("rail_bending/neighbours", "[]", ("[]",), "this program has one wheelset"))
 
@@ -19,20 +21,35 @@ def require_suitable(value_of, prefix=""):
     for name, default, permitted, reason in RULES:
         value = value_of(name, default)
         if value not in permitted:
-            expected = ", ".join(permitted).replace(", exact", " or exact")
+            expected = ", ".join(permitted[:-1]) + " or " * (len(permitted) > 1) + permitted[-1]
             raise Failure(f"{prefix}{name} = {value} must be {expected}: {reason}")
 
 
 class InProcessContact:
     """The numerical core in this process."""
 
-    def __init__(self, contact):
-        self.contact = contact  # WheelsetContact
+    def __init__(self, sources):
+        """sources: parameters of WheelsetContact. Raises Failure for those that are refused."""
+        try:
+            self.contact = wheel_rail_contact.WheelsetContact(sources)
+        except (ImportError, ValueError) as error:
+            raise Failure(error) from error
+        self._sources = sources
+        self.height_given = self.contact.config["wheelset/free"] != SOLVED
 
     def evaluate(self, request):
-        return self.contact.evaluate(
-            x=request.x, y=request.y, yaw=request.yaw, force_z=request.force_z, torque_x=request.torque_x,
-            twist={"speed": request.speed, "lateral_velocity": request.lateral_velocity, "yaw_rate": request.yaw_rate})
+        return _evaluate(self.contact, request)
+
+    def static_start(self, request):
+        """Result of a wheelset at rest under the load of the request."""
+        return _evaluate(wheel_rail_contact.WheelsetContact([*self._sources, {"wheelset": {"free": ["z", "roll"]}}]), request)
+
+
+def _evaluate(contact, request):
+    values = request._asdict()
+    twist = {name: values.pop(name) for name in ("speed", *VELOCITIES)}
+    del values["time"]
+    return contact.evaluate(**values, twist=twist)
 
 
 def open_contact(path=None):
@@ -40,19 +57,17 @@ def open_contact(path=None):
 
     Raises Failure for parameters that are refused, or that expect another load or another state than the example sends.
     """
-    try:
-        contact = wheel_rail_contact.WheelsetContact([shipped(CONFIG), *([path] if path else [])])
-    except (ImportError, ValueError) as error:
-        raise Failure(error) from error
+    way = InProcessContact([shipped(CONFIG), *([path] if path else [])])
+    contact = way.contact
     require_suitable(contact.config.get)
     if contact.has_design:
         raise Failure(f"track/line = {contact.config['track/line']}: this program has no forces of curvature, cant or gradient")
     try:
-        contact.evaluate(force_z=0.0, twist={"speed": 1.0})  # raises an error if others are required
+        way.evaluate(Request(speed=1.0))  # raises an error if others are required
     except TypeError as error:
-        raise Failure(f"{path}: this program has only x, y, yaw, twist and load: {error}") from error
+        raise Failure(f"{path}: this program has only x, pose, twist and load: {error}") from error
     contact.reset()
-    return InProcessContact(contact)
+    return way
 
 
 class HeldContact:

@@ -23,7 +23,7 @@ def motion_table(path):
 
 
 def _row(request, reply, is_held):
-    """Values of a step: the request at its start, and the contact in the step."""
+    """Values of a step: the request at its end, and the contact."""
     wrench, pose = reply.rail_wrench, reply.wheelset
     wheels = [value for side in SIDES for value in _wheel([patch for patch in reply.patches if patch.side == side])]
     return (1e-9 * request.time, request.x, request.y, request.yaw, request.lateral_velocity, request.yaw_rate, reply.rotation,

@@ -11,8 +11,9 @@ from wheel_rail_contact.msg import WheelsetContact
 from wheel_rail_contact.srv import EvaluateWheelset, EvaluateWheelsetRequest
 
 from ..command import Failure
+from ..core.derivatives import named_derivatives
 from ..message_constants import SIDES, STATUSES, USABLE
-from .contact import require_suitable
+from .contact import SOLVED, require_suitable
 from .wheelset import Request
 
 FIRST_STAMP = 1000 * 10**9  # [ns]; messages with a stamp of 0 are dropped, and trial states are before the start
@@ -28,19 +29,32 @@ class ServiceContact:
 
     def __init__(self, node, frame):
         """Waits for the service of a contact node; frame: its parameter track/frame. Raises Failure if it expects another load."""
-        self._name, self._frame = rospy.resolve_name(f"{node}/evaluate"), frame
-        try:
-            rospy.wait_for_service(self._name, MINUTE)
-        except rospy.ROSException as error:
-            raise Failure(f"no service {self._name} within a minute") from error
-        require_load(node)
-        self._call = rospy.ServiceProxy(self._name, EvaluateWheelset, persistent=True)
+        self._node, self._frame, self._call = node, frame, _service(node, "evaluate")
+        self.height_given = require_load(node)
 
     def evaluate(self, request):
-        try:
-            return reply_of(self._call(message_of(request, self._frame)).contact)
-        except rospy.ServiceException as error:
-            raise Failure(f"the call of {self._name} failed: {error}") from error
+        return _answer(self._call, request, self._frame)
+
+    def static_start(self, request):
+        """Result of a wheelset at rest under the load of the request."""
+        return _answer(_service(self._node, "static_start"), request, self._frame)
+
+
+def _service(node, name):
+    """Persistent connection to a service of a node."""
+    name = rospy.resolve_name(f"{node}/{name}")
+    try:
+        rospy.wait_for_service(name, MINUTE)
+    except rospy.ROSException as error:
+        raise Failure(f"no service {name} within a minute") from error
+    return rospy.ServiceProxy(name, EvaluateWheelset, persistent=True)
+
+
+def _answer(service, request, frame):
+    try:
+        return reply_of(service(message_of(request, frame)).contact)
+    except rospy.ServiceException as error:
+        raise Failure(f"the call of {service.resolved_name} failed: {error}") from error
 
 
 class TopicContact:
@@ -48,8 +62,8 @@ class TopicContact:
 
     def __init__(self, node, frame):
         """Waits until the node replies; arguments and failures as for ServiceContact."""
-        require_load(node)
-        self._frame, self._latest, self._arrived = frame, None, threading.Condition()
+        self.height_given = require_load(node)
+        self._node, self._frame, self._latest, self._arrived = node, frame, None, threading.Condition()
         self._publishers = [rospy.Publisher(f"wheelset/{name}", kind, queue_size=QUEUE_SIZE, tcp_nodelay=True)
                             for name, kind in (("pose", PoseStamped), ("twist", TwistStamped), ("load", WrenchStamped))]
         # Without tcp_nodelay, each result may wait for up to 40 ms in the socket.
@@ -68,6 +82,10 @@ class TopicContact:
             raise Failure(error) from error
         raise Failure(f"no result on {self._topic} within {RESULT_WAIT} s")
 
+    def static_start(self, request):
+        """Result of a wheelset at rest under the load of the request."""
+        return _answer(_service(self._node, "static_start"), request, self._frame)
+
     def _has_result(self, request, seconds):
         """Sends a state; whether its result, in `_latest`, is here within this time [s]."""
         message = message_of(request, self._frame)
@@ -85,27 +103,31 @@ class TopicContact:
 
 
 def require_load(node):
-    """Raises Failure if the parameters of a node expect another load than that of the example."""
+    """Raises Failure if the parameters of a node expect another load. Returns whether they expect height and roll."""
     name = rospy.resolve_name(node)
     if not rospy.has_param(name):
         raise Failure(f"there are no parameters of a node {name}: it does not run")
 
     def value_of(parameter, default):
         value = rospy.get_param(f"{name}/{parameter}", default)
-        return f"[{', '.join(map(str, value))}]" if isinstance(value, list) else value
+        return f"[{', '.join(map(str, value))}]" if isinstance(value, list) else str(value).lower()
 
     require_suitable(value_of, prefix=f"{name}/")
+    return value_of("wheelset/free", SOLVED) != SOLVED
 
 
 def message_of(request, frame):
-    """Pose, velocity and load of the axle with one stamp. Height, roll and rotation are zero: they are results."""
+    """Pose, velocity and load of the axle with one stamp. The rotation is zero: it is a result."""
     message = EvaluateWheelsetRequest()
     for part in (message.pose, message.twist, message.load):
         part.header.stamp, part.header.frame_id = rospy.Time(0, FIRST_STAMP + request.time), frame
     pose, twist, load = message.pose.pose, message.twist.twist, message.load.wrench
-    pose.position.x, pose.position.y = request.x, request.y
-    pose.orientation.z, pose.orientation.w = math.sin(request.yaw / 2), math.cos(request.yaw / 2)
-    twist.linear.x, twist.linear.y, twist.angular.z = request.speed, request.lateral_velocity, request.yaw_rate
+    pose.position.x, pose.position.y, pose.position.z = request.x, request.y, request.z
+    sine, cosine, q = math.sin(request.yaw / 2), math.cos(request.yaw / 2), pose.orientation
+    q.x, q.y = cosine * math.sin(request.roll / 2), sine * math.sin(request.roll / 2)  # the roll is before the yaw
+    q.z, q.w = sine * math.cos(request.roll / 2), cosine * math.cos(request.roll / 2)
+    twist.linear.x, twist.linear.y, twist.linear.z = request.speed, request.lateral_velocity, request.vertical_velocity
+    twist.angular.x, twist.angular.z = request.roll_rate, request.yaw_rate
     load.force.z, load.torque.x = request.force_z, request.torque_x
     return message
 
@@ -117,7 +139,8 @@ def reply_of(message):
     return SimpleNamespace(
         usable=message.status in USABLE, status=STATUSES[message.status], status_text=message.status_text,
         wheelset=_with_roll(message.wheelset), rotation=message.rotation, rail_wrench=message.rail_wrench,
-        left_rail=message.left_rail, right_rail=message.right_rail, patches=patches)
+        left_rail=message.left_rail, right_rail=message.right_rail, patches=patches,
+        derivatives=named_derivatives(message.derivatives))
 
 
 def _with_roll(pose):
