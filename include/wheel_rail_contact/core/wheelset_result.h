@@ -234,9 +234,10 @@ struct ContactDerivatives
   static constexpr int positions = 4;
   /// Columns of `solution`: y [m], yaw [rad], force_z [N], torque_x [N m].
   static constexpr int givens = 4;
-  /// Further columns of `forces`: running speed, lateral and vertical velocity [m/s], roll rate, yaw rate, and rotation
-  /// about the axle [rad/s]. Those of `solution` are the same without vertical velocity and roll rate.
-  static constexpr int force_motions = 6, solution_motions = 4;
+  /// Further columns of `forces` with creep forces: running speed, lateral and vertical velocity [m/s], roll rate, yaw
+  /// rate, and rotation about the axle [rad/s].
+  static constexpr int force_motions = 6;
+  static constexpr int solution_motions = 4;  ///< of `solution`: the same without vertical velocity and roll rate
 
   /// Height and roll given. Rows: forces x, y, z [N] and moments x, y, z about the axle centre [N m] of both rails on
   /// the wheelset, as in WheelsetResult::rail_wrench. The deflection of the rails is included.
