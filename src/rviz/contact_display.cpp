@@ -134,9 +134,9 @@ std::string ContactDisplay::parameterNamespace() const
 
 void ContactDisplay::readParameters()
 {
-  const std::string name = parameterNamespace();
   try
   {
+    const std::string name = parameterNamespace();
     config_ = readNodeParameters(ros::NodeHandle(name));
     setStatusStd(StatusProperty::Ok, "Parameters", "profiles and track read from " + name);
   }
@@ -176,7 +176,7 @@ void ContactDisplay::showWaiting()
   const int seconds = static_cast<int>((now - waiting_since_).toSec());
   if (std::exchange(waited_, seconds) != seconds)
   {
-    const std::string topic = update_nh_.resolveName(topic_property_->getTopicStd());
+    const std::string topic = topic_property_->getTopicStd();  // as given: it may be no valid name
     showPanel({{{"no result on " + topic + " for " + std::to_string(seconds) + " s", Tone::warning}}, {}, {}});
   }
 }
