@@ -109,14 +109,6 @@ void readLateralForce(ParameterReader& reader, core::RailBendingConfig& bending)
   bending.lateral_force = word == "contact" ? LateralForce::contact : LateralForce::topic;
 }
 
-/// True for a name that ROS permits for a topic, and that is not private.
-bool isTopic(const std::string& name)
-{
-  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-  const auto is_permitted = [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '/'; };
-  return !name.empty() && (is_letter(name[0]) || name[0] == '/') && std::all_of(name.begin(), name.end(), is_permitted);
-}
-
 NeighbourConfig readNeighbour(ParameterReader& reader)
 {
   NeighbourConfig neighbour;

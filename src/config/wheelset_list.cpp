@@ -2,22 +2,16 @@
 #include "config/wheelset_list.h"
 
 #include <algorithm>
-#include <cctype>
 #include <set>
 
 namespace wheel_rail_contact
 {
-namespace
+bool isTopic(const std::string& name)
 {
-bool isWheelsetName(const std::string& name)
-{
-  const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
-  return !name.empty() && is_letter(name[0]) &&
-         std::all_of(name.begin(), name.end(),
-                     [&](char c)
-                     { return is_letter(c) || std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '_'; });
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const auto is_permitted = [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '/'; };
+  return !name.empty() && (is_letter(name[0]) || name[0] == '/') && std::all_of(name.begin(), name.end(), is_permitted);
 }
-}  // namespace
 
 WheelsetList readWheelsetList(ParameterReader& reader)
 {
@@ -26,7 +20,7 @@ WheelsetList readWheelsetList(ParameterReader& reader)
   std::set<std::string> names;
   for (const std::string& name : list.names)
   {
-    reader.refuseIf(!isWheelsetName(name), wheelset_list::names,
+    reader.refuseIf(!isTopic(name) || name.find('/') != std::string::npos, wheelset_list::names,
                     "a list of names of letters, digits and _ that begin with a letter: '" + name + "' is none");
     reader.refuseIf(!names.insert(name).second, wheelset_list::names,
                     "a list of different names: '" + name + "' is given twice");

@@ -16,6 +16,9 @@ constexpr const char* places = "wheelset_places";
 constexpr const char* reach = "neighbour_reach";
 }  // namespace wheelset_list
 
+/// True for a name that ROS permits for a topic, and that is not private.
+bool isTopic(const std::string& name);
+
 /// The wheelsets of a node, and how they are arranged.
 struct WheelsetList
 {
