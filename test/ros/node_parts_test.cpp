@@ -191,6 +191,8 @@ TEST(WheelsetParameters, BadListsAreRefusedByName)
       {"[a], wheelset_places: [0, 1]", "/vehicle/wheelset_places = [0, 1] must be [] or a list with a place for each"},
       {"[a], wheelset_places: [here]", "/vehicle/wheelset_places = [here] must be a list of finite numbers"},
       {"[a], neighbour_reach: 3", "/vehicle/neighbour_reach = 3 must be 0 without wheelset_places"},
+      {"[a], wheelset_places: [0], neighbour_reach: 3, rail_bending: stiff",
+       "/vehicle/rail_bending = stiff must be a group"},
       {"[a], a: 3", "/vehicle/a = 3 must be a group: the parameters of this wheelset"}};
   for (const auto& [list, message] : cases)
   {

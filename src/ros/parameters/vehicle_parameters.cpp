@@ -77,7 +77,9 @@ std::vector<WheelsetParameters> wheelsetParameters(
     XmlRpcValue& of_one = wheelsets.emplace_back(WheelsetParameters{name, common}).values;
     if (list.reach > 0)
     {
-      of_one["rail_bending"]["neighbours"] = neighboursOf(i, list, contact_topic);
+      XmlRpcValue& bending = of_one["rail_bending"];
+      reader.refuseIf(bending.valid() && bending.getType() != XmlRpcValue::TypeStruct, "rail_bending", "a group");
+      bending["neighbours"] = neighboursOf(i, list, contact_topic);
     }
     if (own.hasMember(name))
     {
