@@ -113,6 +113,8 @@ inline void expectPaired(const PairingCase& one, std::optional<double> longest_g
   EXPECT_EQ(sets, one.sets);
   EXPECT_EQ(lost, one.lost + (one.lost.empty() ? "" : " "));
   pairing.finish();
-  EXPECT_EQ(pairing.counts().waiting, 0U);
+  const PairingCounts& counts = pairing.counts();
+  EXPECT_EQ(counts.waiting, 0U);
+  EXPECT_EQ(counts.received, std::accumulate(counts.dropped.begin(), counts.dropped.end(), counts.paired));
 }
 }  // namespace wheel_rail_contact
