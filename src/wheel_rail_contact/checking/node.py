@@ -18,7 +18,7 @@ NAME = "contact_check"
 def collect(nodes):
     """Results by the name of the node, received until none has been received for the time idle. Their grids are removed."""
     results = {name: [] for name in nodes}
-    first = next(iter(nodes.values()))[1]
+    patience, idle = (max(getattr(limits, name) for _, limits in nodes.values()) for name in ("patience", "idle"))
     last = [time.monotonic()]
 
     def receive(result, name):
@@ -30,7 +30,7 @@ def collect(nodes):
     subscribers = [rospy.Subscriber(topic, WheelsetContact, receive, name, queue_size=1000, tcp_nodelay=True)
                    for name, (topic, _) in nodes.items()]
     dropped = [DroppedInputs(topic) for topic, _ in nodes.values()]
-    while not rospy.is_shutdown() and time.monotonic() - last[0] < (first.idle if any(results.values()) else first.patience):
+    while not rospy.is_shutdown() and time.monotonic() - last[0] < (idle if any(results.values()) else patience):
         time.sleep(0.02)
     for subscriber in subscribers:
         subscriber.unregister()
