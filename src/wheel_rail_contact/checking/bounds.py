@@ -99,8 +99,8 @@ def sample(result):
     """What a message contributes to the quantities of wheels and axle."""
     wheels = result.left_wheel, result.right_wheel
     return Sample(result.header.stamp.to_sec(), result.wheelset.position.x, result.distance,
-                       [wheel.lateral_force for wheel in wheels], [wheel.vertical_force for wheel in wheels],
-                       [wheel.friction_lateral_force for wheel in wheels], result.status in USABLE and not result.held)
+                  [wheel.lateral_force for wheel in wheels], [wheel.vertical_force for wheel in wheels],
+                  [wheel.friction_lateral_force for wheel in wheels], result.status in USABLE and not result.held)
 
 
 def _violation(check, limits, results):
