@@ -88,6 +88,7 @@ class Commands(unittest.TestCase):
         self.assertRegex(out, r"^speed.*\n +20\.00 +-0\.\d+ +2\.\d+\n(.*\n){7} +60\.00 +2\.\d+ +6\.\d+\n"
                               r"critical speed: 3\d\.\d m/s\n$")
         self.assertIn("no critical speed from 20 to 21 m/s", run_here("--stability", 20, 21)[1])
+        self.assertIn("critical speed: below 59 m/s, where motions already grow", run_here("--stability", 59, 60)[1])
 
     @needs_module
     def test_program_reports_mistakes_and_a_full_disk(self):

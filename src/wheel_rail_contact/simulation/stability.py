@@ -31,7 +31,8 @@ def report(p, contact, first, last):
     motions = [stability.motion(speed) for speed in np.linspace(first, last, SPEEDS)]
     yield from (f"{motion.speed:11.2f}  {motion.growth:12.3f}  {motion.frequency:14.3f}" for motion in motions)
     critical = stability.critical_speed(motions)
-    yield f"critical speed: {critical:.1f} m/s" if critical else f"no critical speed from {first:g} to {last:g} m/s"
+    yield (f"critical speed: below {first:g} m/s, where motions already grow" if motions[0].growth > 0 else
+           f"critical speed: {critical:.1f} m/s" if critical else f"no critical speed from {first:g} to {last:g} m/s")
 
 
 class Stability:
