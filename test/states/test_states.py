@@ -139,7 +139,7 @@ class States(StatesCase):
             self.assertIn(line, printed)
 
     def test_one_of_the_files_must_be_a_bag(self):
-        for names in (("a.csv", "b.csv"), ("a.bag", "b.bag"), ("a.bag", "b.txt"), ("a", "b")):
+        for names in (("a.csv", "b.csv"), ("a.bag", "b.bag"), ("a.bag", "b.txt"), ("a", "b"), ("a.bag", "b.csv", "c.csv")):
             self.assertIn("one of IN and OUT must be a bag", self.run_states(*names, status=2))
 
     def test_existing_file_is_not_overwritten(self):

@@ -96,7 +96,7 @@ def main(arguments=None):
     parser = _parser()
     options = parser.parse_args(arguments)
     ends = tuple(os.path.splitext(name)[1].lower() for name in (*options.source, options.target))
-    if ends.count(".bag") != 1 or (ends[0] == ".bag" and ends[1] != ".csv"):
+    if ends.count(".bag") != 1 or (ends[-1] != ".bag" and ends != (".bag", ".csv")):
         parser.error("one of IN and OUT must be a bag (.bag), the other a table (OUT: .csv)")
     names = ["/" + name.strip("/") if name.strip("/") else "" for name in options.wheelset or [""]]
     if len(names) != len(options.source):
