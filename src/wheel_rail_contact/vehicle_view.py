@@ -66,7 +66,7 @@ def _show(options, rest):
         raise Failure("no ROS master runs") from None
     if not wheelsets:
         raise Failure(f"{node}: has no list of wheelsets; view.launch shows a node with one")
-    places = [] if options.spacing else rospy.get_param(node + "/wheelset_places", [])
+    places = [] if options.spacing else [float(place) for place in rospy.get_param(node + "/wheelset_places", [])]
     places = places or [-(options.spacing or SPACING) * number for number in range(len(wheelsets))]
     with tempfile.NamedTemporaryFile("w", suffix=".rviz", encoding="utf-8") as file:
         yaml.safe_dump(view_of(wheelsets, places, node, options.own_x), file)
