@@ -21,14 +21,14 @@ void ContactTrail::add(const ContactOutput& output, const std::optional<core::Si
   {
     return;
   }
-  const double way = std::exchange(last_x_, output.x()) - output.x();
+  const double way = output.x() - std::exchange(last_x_, output.x());
   for (const core::PatchResult& patch : output.result->patches)
   {
     const core::RailDeflection& now = output.result->rail[patch.side].deflection;
     core::PatchPose pose =
         at_rest ? carriedByRail((*at_rest)[patch.side], patch.side, now, {}, patch.pose) : patch.pose;
     pose.x += output.x();
-    points_.push_back({patch.side, pose, patch.max_pressure, std::abs(way) < longest_way ? -way : 0});
+    points_.push_back({patch.side, pose, patch.max_pressure, std::abs(way) < longest_way ? way : 0});
   }
 }
 
