@@ -3,12 +3,15 @@
 
 stored/without_friction.bag has a message of each of both types as of revision c44c0a4, in which every number is another one."""
 
+import inspect
 import pathlib
 import subprocess
+import sys
+import unittest
 import xml.etree.ElementTree
 
 import genpy
-import rosbag
+import rosbag.migration
 from wheel_rail_contact.msg import ContactDerivatives, PatchCreep, RailDisplacements, WheelsetContact
 from wheel_rail_contact.report import command_line as report
 
@@ -26,6 +29,8 @@ def rules():
     return PACKAGE / root.find("export/rosbag").get("migration_rule_file")
 
 
+@unittest.skipIf(sys.version_info >= (3, 13) and "locals()[name]" in inspect.getsource(rosbag.migration),
+                 "rosbag fix of this system does not work with its Python: exec() no longer changes locals()")
 class Migration(ReplayCase):
     def fix(self):
         path = self.folder / "fixed.bag"

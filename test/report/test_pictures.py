@@ -116,7 +116,7 @@ class Pictures(SweepCase):
         for axis, patch in zip(maps, steep.patches):
             cells = axis.collections[0]
             self.assertEqual(cells.get_clim(), (0, 1e-6 * highest))
-            self.assertEqual(np.nanmax(cells.get_array()), 1e-6 * max(patch.grid.pressure))
+            self.assertEqual(np.nanmax(cells.get_array()), 1e-6 * float(max(patch.grid.pressure)))
 
     def test_narrow_patches_are_readable_and_the_size_of_their_cells_is_stated(self):
         for index in (0, 150, self.steepest):

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "config/wheelset_list.h"
@@ -25,6 +26,25 @@ void putAbove(XmlRpcValue& base, XmlRpcValue& upper)
                             base[name].getType() == XmlRpcValue::TypeStruct;
     are_groups ? putAbove(base[name], value) : static_cast<void>(base[name] = value);
   }
+}
+
+/// Text of a parameter in a group; empty without it.
+std::string groupText(XmlRpcValue& values, const char* group, const char* name)
+{
+  XmlRpcValue none;
+  XmlRpcValue& in = values.hasMember(group) ? values[group] : none;
+  const bool is_text = in.hasMember(name) && in[name].getType() == XmlRpcValue::TypeString;
+  return is_text ? static_cast<std::string>(in[name]) : "";
+}
+
+/// Refuses a frame that another wheelset broadcasts, too: tf would show it at both places in turn.
+void refuseSharedFrames(XmlRpcValue& wheelset, std::set<std::string>& frames, ParameterReader& reader)
+{
+  const std::string own = groupText(wheelset, "wheelset", "frame");
+  reader.refuseIf(!own.empty() && !frames.insert(own).second, "wheelset/frame", "another one for each wheelset");
+  const bool moves = !groupText(wheelset, "track", "publish_track_frame").empty();
+  reader.refuseIf(moves && !frames.insert(groupText(wheelset, "track", "frame")).second, "track/publish_track_frame",
+                  "empty, unless each wheelset has its own track/frame");
 }
 
 /// Entries of rail_bending/neighbours of a wheelset.
@@ -71,6 +91,7 @@ std::vector<WheelsetParameters> wheelsetParameters(
     }
   }
   std::vector<WheelsetParameters> wheelsets;
+  std::set<std::string> frames;
   for (std::size_t i = 0; i < list.names.size(); ++i)
   {
     const std::string& name = list.names[i];
@@ -86,6 +107,7 @@ std::vector<WheelsetParameters> wheelsetParameters(
       reader.refuseIf(own[name].getType() != XmlRpcValue::TypeStruct, name, "a group: the parameters of this wheelset");
       putAbove(of_one, own[name]);
     }
+    refuseSharedFrames(of_one, frames, reader);
   }
   return wheelsets;
 }
