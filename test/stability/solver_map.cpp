@@ -8,10 +8,7 @@ namespace wheel_rail_contact::core::stability
 {
 namespace
 {
-using problems::hertzCase;
-using problems::HertzCase;
-using problems::seidelAsPrinted;
-using problems::solved;
+using namespace problems;
 
 Verdict verdict(const NormalSolution& found, double expected)
 {

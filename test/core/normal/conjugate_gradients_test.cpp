@@ -7,11 +7,7 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-using problems::DenseActiveSet;
-using problems::hertzCase;
-using problems::randomProblem;
-using problems::solved;
-using problems::uniform;
+using namespace problems;
 
 /// Largest depth of interpenetration [m], the scale of the residual.
 double depth(const NormalProblem& problem, double approach)

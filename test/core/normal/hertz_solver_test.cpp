@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/normal/solvers/hertz_solver.h"
-
 #include "core/normal/solvers/kik_piotrowski.h"
 #include "problems.h"
 
@@ -8,11 +7,7 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-using problems::centredGrid;
-using problems::hertzCase;
-using problems::sampled;
-using problems::steel;
-using problems::underLoad;
+using namespace problems;
 
 /// Bowl rotated by `angle` about z, with its lowest point at (x0, y0).
 auto turnedBowl(const GapCurvature& curvature, double angle, double x0, double y0)

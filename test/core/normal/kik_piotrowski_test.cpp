@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/normal/solvers/kik_piotrowski.h"
-
 #include "problems.h"
 
 namespace wheel_rail_contact::core
 {
 namespace
 {
-using problems::centredGrid;
-using problems::hertzCase;
-using problems::sampled;
-using problems::underLoad;
+using namespace problems;
 
 constexpr double wheel = 0.5 / 0.46;  ///< coefficient A for a wheel of 460 mm radius [1/m]
 

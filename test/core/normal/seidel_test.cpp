@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/normal/solvers/seidel.h"
-
 #include "../../seeded.h"
 #include "problems.h"
 
@@ -8,9 +7,7 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-using problems::hertzCase;
-using problems::randomProblem;
-using problems::seidelAsPrinted;
+using namespace problems;
 
 TEST(Seidel, RepairedFormAgreesWithConjugateGradients)
 {

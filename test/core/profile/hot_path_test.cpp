@@ -9,8 +9,7 @@ namespace wheel_rail_contact::core
 {
 namespace
 {
-using section_scenes::profileOf;
-using section_scenes::shared;
+using namespace section_scenes;
 
 // The parts begin and end between sections of one another, and their profiles have different numbers of curves.
 TEST(HotPath, ChangingProfileAllocatesNothingAfterReserve)

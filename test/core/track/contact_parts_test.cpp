@@ -6,9 +6,7 @@
 #include "dense_separation.h"
 
 using namespace wheel_rail_contact::core;
-using section_scenes::addHead;
-using section_scenes::Head;
-using section_scenes::shared;
+using namespace section_scenes;
 
 namespace
 {

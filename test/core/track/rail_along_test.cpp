@@ -5,9 +5,7 @@
 #include "../profile/section_scenes.h"
 
 using namespace wheel_rail_contact::core;
-using section_scenes::Head;
-using section_scenes::profileOf;
-using section_scenes::shared;
+using namespace section_scenes;
 
 // Places of the sections of a rail across the track.
 namespace
