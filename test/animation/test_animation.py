@@ -1,21 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_animation: the drawn bodies touch at the contact positions of the results, and the file contains the pictures."""
-import pathlib
-import sys
-
 import genpy
 import numpy as np
 import rosbag
 from PIL import Image
+from sweep_case import SWEEP, SweepCase
 from wheel_rail_contact.animation.command_line import main
 from wheel_rail_contact.animation.gif import write_gif
 from wheel_rail_contact.animation.run import read_run
 from wheel_rail_contact.animation.section import section
 from wheel_rail_contact.msg import WheelsetContact
 from wheel_rail_contact.report.results import read, read_full
-
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "replay"))
-from sweep_case import SWEEP, SweepCase  # noqa: E402  (in the folder of other tests)
 
 MOVED = """\
 wheel: {left: {rolling_radius: 0.4597}}

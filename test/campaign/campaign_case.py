@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Shared by the tests of contact_campaign: runs of the command, a cluster of processes, and a case with a folder."""
-
 import contextlib
 import hashlib
 import json
@@ -10,16 +9,13 @@ import subprocess
 import sys
 import time
 import unittest
-
+from commands import running
+from replay_case import ReplayCase
 from wheel_rail_contact.campaign.cluster import dask
 from wheel_rail_contact.campaign.command_line import main
 from wheel_rail_contact.command import Failure
 
 PACKAGE = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(PACKAGE / "test" / "replay"))
-from commands import running  # noqa: E402  (in the folder of other tests)
-from replay_case import ReplayCase  # noqa: E402  (in the folder of other tests)
-
 GRID = "contact: {method: conjugate_gradient, grid: {along: 8, across: 24}}\n"  # short start time
 TIMEOUT = 60  # [s] for the slowest machine
 SLICE = 300
@@ -76,8 +72,7 @@ class Cluster:
         return self.processes[-1]
 
     def add_worker(self):
-        return self._start("dask_worker", self.address, "--nthreads", "1", "--no-nanny", "--local-directory",
-                           str(self.folder))
+        return self._start("dask_worker", self.address, "--nthreads", "1", "--no-nanny", "--local-directory", str(self.folder))
 
     def close(self):
         for process in self.processes:

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Order of the tasks of a campaign, and its interruption. A replacement of Dask runs no task."""
-
 import collections
 import os
 import signal
@@ -8,7 +7,6 @@ import tempfile
 import types
 import unittest
 import unittest.mock
-
 from campaign_case import skip_without_dask
 from wheel_rail_contact.campaign.campaign import AHEAD, Campaign
 from wheel_rail_contact.campaign.folder import Folder
@@ -33,8 +31,7 @@ class InOrder:
 
     def submit(self, function, task, **_):
         self.submitted.append((function, task["name"]))
-        return types.SimpleNamespace(key=len(self.submitted), statuses=iter(self.statuses),
-                                     result=lambda: {"results": 1})
+        return types.SimpleNamespace(key=len(self.submitted), statuses=iter(self.statuses), result=lambda: {"results": 1})
 
     def is_empty(self):
         return not self.running
@@ -82,8 +79,7 @@ class Order(unittest.TestCase):
     def names_of_tasks(self, *statuses):
         """Names of the bags of all evaluate_slice tasks and of all join_slices tasks, in the order of their submission."""
         dask = InOrder(*statuses)
-        plan = {"folder": "", "options": [],
-                "bags": {name: {"bag": name, "slices": [[None, None]]} for name in self.NAMES}}
+        plan = {"folder": "", "options": [], "bags": {name: {"bag": name, "slices": [[None, None]]} for name in self.NAMES}}
         with tempfile.TemporaryDirectory() as folder, unittest.mock.patch("distributed.as_completed", lambda: dask):
             campaign = Campaign(dask, plan, Folder(folder))
             campaign.run()

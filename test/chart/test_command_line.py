@@ -1,13 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-import contextlib
 import io
 import math
-import tempfile
 import unittest
 from dataclasses import replace
-from pathlib import Path
 from unittest import mock
-
+from commands import FolderCase, running
 from wheel_rail_contact.chart import front, summary_picture
 from wheel_rail_contact.chart.command_line import main
 from wheel_rail_contact.chart.table import SOLVED, Row
@@ -18,23 +15,17 @@ ROW = Row("scene", "Scene", "normal", "hertz", 8, 16, 0.0, "warm", SOLVED, "", 1
           0.0, 0.0, 0.02, 1e-4)
 
 
-class Misuse(unittest.TestCase):
+class Misuse(FolderCase):
     def test_missing_folder_is_created_and_an_unusable_one_is_reported_by_name(self):
-        with tempfile.TemporaryDirectory() as place:
-            output_folder(Path(place, "new", "folder"))
-            self.assertEqual(list(Path(place).rglob("*")), [Path(place, "new"), Path(place, "new", "folder")])
+        output_folder(self.folder / "new" / "folder")
+        self.assertEqual(list(self.folder.rglob("*")), [self.folder / "new", self.folder / "new" / "folder"])
         for out, reason in ((__file__, "is not a folder"), ("/proc", "no file can be written to this folder")):
-            err = io.StringIO()
-            with contextlib.redirect_stderr(err):
-                self.assertEqual(main(["--out", out]), 1)
-            self.assertRegex(err.getvalue(), rf"\Acontact_chart: --out {out}: {reason}[^\n]*\n\Z")
+            self.assertRegex(self.run_command(main, "--out", out, status=1), rf"\Acontact_chart: --out {out}: {reason}.*\n\Z")
 
 
 class ExitStatus(unittest.TestCase):
     def end(self, work):
-        err = io.StringIO()
-        with contextlib.redirect_stderr(err):
-            return finish("name", work), err.getvalue()
+        return running(lambda _: finish("name", work))()[::2]
 
     def test_failure_and_interruption_are_reported_in_one_line(self):
         self.assertEqual(self.end(lambda: None), (0, ""))
@@ -46,8 +37,7 @@ class ExitStatus(unittest.TestCase):
     def test_missing_matplotlib_is_reported_in_one_line(self):
         with mock.patch.dict("sys.modules", {"matplotlib": None}):
             status, err = self.end(pyplot)
-        self.assertEqual((status, err), (1, "name: matplotlib is not installed; on Debian: "
-                                            "apt install python3-matplotlib\n"))
+        self.assertEqual((status, err), (1, "name: matplotlib is not installed; on Debian: apt install python3-matplotlib\n"))
 
 
 class ProgressBar(unittest.TestCase):

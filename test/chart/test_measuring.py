@@ -3,7 +3,6 @@
 import unittest
 from types import SimpleNamespace
 from unittest import mock
-
 from wheel_rail_contact.chart import scenes
 from wheel_rail_contact.chart.measuring import Plan, Runner, Series, compare, errors_of, quantile
 from wheel_rail_contact.command import Failure
@@ -111,8 +110,7 @@ class Scenes(unittest.TestCase):
 
     def of(self, scene, method):
         """Warm rows by grid; of auto by tolerance."""
-        return {row.setting: row for row in self.rows
-                if row.scene == scene and row.method == method and row.start == "warm"}
+        return {row.setting: row for row in self.rows if row.scene == scene and row.method == method and row.start == "warm"}
 
     def test_conjugate_gradients_are_closest_to_hertz_on_the_finest_grid(self):
         # These grids refine both directions. Refining only one direction may increase the error of the area. The

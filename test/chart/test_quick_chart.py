@@ -8,10 +8,8 @@ import tempfile
 import unittest
 import xml.etree.ElementTree
 from pathlib import Path
-
 from matplotlib import image
 from matplotlib.colors import to_rgb
-
 from wheel_rail_contact.chart import creep, table
 from wheel_rail_contact.chart.front import compare_auto
 from wheel_rail_contact.chart.picture import METHODS
@@ -89,15 +87,13 @@ class QuickChart(unittest.TestCase):
     def panels(self, name):
         """Number of panels of an SVG picture, and its drawing."""
         drawing = xml.etree.ElementTree.parse(self.out / name).getroot()
-        return sum(re.fullmatch(r"axes_\d+", group.get("id", "")) is not None
-                   for group in drawing.iter(f"{SVG}g")), drawing
+        return sum(re.fullmatch(r"axes_\d+", group.get("id", "")) is not None for group in drawing.iter(f"{SVG}g")), drawing
 
     def test_summary_has_two_panels_readable_in_a_browser(self):
         number, drawing = self.panels("chart.svg")
         self.assertEqual(number, 2)
         width = float(drawing.get("viewBox").split()[2])
-        sizes = [float(re.search(r"([\d.]+)px", text.get("style")).group(1))
-                 for text in drawing.iter(f"{SVG}text")]
+        sizes = [float(re.search(r"([\d.]+)px", text.get("style")).group(1)) for text in drawing.iter(f"{SVG}text")]
         self.assertGreaterEqual(830 / width * min(sizes), 11)  # [px] of a picture shown 830 px wide
         self.assertIn(self.facts["machine"], words(drawing))
 

@@ -1,12 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tests of commands, and the table of a line."""
-import pathlib
-import sys
-
 import numpy as np
-
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "replay"))
-from commands import FolderCase  # noqa: E402  (in the folder of other tests)
+from commands import FolderCase
 
 
 class LineCase(FolderCase):

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The example of doc/line.md: states of a wheelset on a line with irregularities, their results and the report."""
 from unittest import mock
-
 import numpy as np
 import rosbag
 from line_case import LineCase, columns_of
@@ -28,8 +27,7 @@ class LineStates(LineCase):
     def replay(self, *options):
         """Results of the states on the line."""
         self.run_command(states_command.main, self.folder / "states.csv", self.folder / "states.bag")
-        config = self.config("wheel: {profile: S1002}\nrail: {profile: 60E1}\n"
-                             f"track: {{line: {self.folder}/line.csv}}\n")
+        config = self.config(f"wheel: {{profile: S1002}}\nrail: {{profile: 60E1}}\ntrack: {{line: {self.folder}/line.csv}}\n")
         return self.replayed(self.folder / "states.bag", "--config", config, *options)
 
     def test_path_follows_the_alignment_by_the_equation_of_klingel(self):

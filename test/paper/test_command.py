@@ -3,14 +3,11 @@ import dataclasses
 import sys
 from pathlib import Path
 from unittest import mock
-
 from coarse_ranges import COARSE, NEAR_FLANGE
+from commands import FolderCase, error_without_space, running
 from wheel_rail_contact.paper import study
 from wheel_rail_contact.paper.command_line import main
 from wheel_rail_contact.paper.scan import Scan
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "replay"))
-from commands import FolderCase, error_without_space, running  # noqa: E402  (in the folder of other tests)
 
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 PICTURES = ("figure_3.png", "scan.png", "forces.png", "stress.png")

@@ -1,12 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Profiles for the tests: standard ones, and curves through points."""
 import json
-import tempfile
-import unittest
-from pathlib import Path
-
 import numpy as np
-
+from commands import FolderCase
 from wheel_rail_contact.command import native
 from wheel_rail_contact.profile_check.curve import Curve
 
@@ -34,12 +30,7 @@ def moved(points, rotation=0.0, y=0.0, z=0.0):
     return points @ np.array([[c, s], [-s, c]]) + [y, z]
 
 
-class ProfileCase(unittest.TestCase):
-    def setUp(self):
-        temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(temporary.cleanup)
-        self.folder = Path(temporary.name)
-
+class ProfileCase(FolderCase):
     def curve_through(self, points, kind="rail_section", **options):
         """Profile of a file with these points [m]. A section of a rail keeps its place, other kinds are given their origin."""
         return self.described(points, kind, **{"smoothing": 0, **options})[0]

@@ -4,13 +4,9 @@ import math
 import os
 import sys
 from pathlib import Path
-
 import numpy as np
-
+from commands import FolderCase, error_without_space, is_drawn, running
 from wheel_rail_contact.profile_check.command_line import main
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "replay"))
-from commands import FolderCase, error_without_space, is_drawn, running  # noqa: E402  (in the folder of other tests)
 
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 TITLES = "y_mm,z_mm"
@@ -195,8 +191,7 @@ class Command(FolderCase):
                                    (("--smoothing", 0.001), "parameter smoothing = 0.001"),
                                    (("--rotate", "nan"), "parameter rotate"),
                                    (("--scale", 5), "parameter scale = 5.0 must be above 0, at most 1"),
-                                   (("--tape-circle", 0), "parameter tape_circle = 0"),
-                                   (("--unit", "m"), "contradicts")):
+                                   (("--tape-circle", 0), "parameter tape_circle = 0"), (("--unit", "m"), "contradicts")):
             out, err = self.run_check(rail, *arguments, status=1)
             self.assertEqual(out, "", arguments)
             self.assertIn(message, err)

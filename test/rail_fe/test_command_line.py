@@ -1,23 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 import os
-import sys
-import tempfile
-import unittest
 from pathlib import Path
 from unittest import mock
-
 import yaml
 from rails import HAVE_PROGRAMS, needs_programs
-
+from commands import FolderCase, running
 from wheel_rail_contact.rail_fe.command_line import main
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "replay"))
-from commands import running  # noqa: E402  (in the folder of other tests)
 
 run = running(main)
 
 
-class Misuse(unittest.TestCase):
+class Misuse(FolderCase):
     def check(self, reason, *arguments):
         status, _, err = run("--out", "never_written.yaml", *arguments)
         self.assertNotEqual(status, 0)
@@ -44,33 +37,26 @@ class Misuse(unittest.TestCase):
             self.check("folder nowhere does not exist", *clamped, "--picture", "nowhere/p.png")
 
     def test_missing_program_is_reported_in_one_sentence(self):
-        with tempfile.TemporaryDirectory() as empty, mock.patch.dict(os.environ, PATH=empty):
-            status, _, err = run("--supports", "foot_clamped", "--out", "never_written.yaml")
-            self.assertEqual((status, err), (1, "rail_compliance: gmsh is not installed; on Debian: "
-                                                "apt install gmsh\n"))
-            gmsh = Path(empty) / "gmsh"
-            gmsh.write_text("#!/bin/sh\n", encoding="ascii")
-            gmsh.chmod(0o755)
-            status, _, err = run("--supports", "foot_clamped", "--out", "never_written.yaml")
-            self.assertEqual((status, err), (1, "rail_compliance: CalculiX (ccx) is not installed; on Debian: "
-                                                "apt install calculix-ccx\n"))
+        for program, package in ("gmsh", "gmsh"), ("CalculiX (ccx)", "calculix-ccx"):
+            with mock.patch.dict(os.environ, PATH=str(self.folder)):
+                status, _, err = run("--supports", "foot_clamped", "--out", "never_written.yaml")
+            missing = f"rail_compliance: {program} is not installed; on Debian: apt install {package}\n"
+            self.assertEqual((status, err), (1, missing))
+            self.config("#!/bin/sh\n", "gmsh").chmod(0o755)
 
 
 @needs_programs
-class WholeRun(unittest.TestCase):
+class WholeRun(FolderCase):
     def test_run_writes_table_deck_and_picture_and_reports_progress(self):
-        with tempfile.TemporaryDirectory() as directory:
-            folder = Path(directory)
-            table_path, picture, deck = folder / "soft.yaml", folder / "soft.png", folder / "deck"
-            status, out, err = run("--supports", "seats", "--pad-lateral", "4e7", "--pad-vertical", "1e8",
-                                   "--bays", "4", "--neighbours", "0.9", "--mesh-size", "0.03",
-                                   "--force-height", "0.1624", "--out", str(table_path), "--picture", str(picture),
-                                   "--keep-deck", str(deck))
-            self.assertEqual(status, 0, err)
-            table = yaml.safe_load(table_path.read_text(encoding="utf-8"))
-            for name in ("rail.geo", "rail.msh", "rail.inp", "rail.frd"):
-                self.assertGreater((deck / name).stat().st_size, 0, name)
-            self.assertEqual(picture.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+        table_path, picture, deck = (self.folder / name for name in ("soft.yaml", "soft.png", "deck"))
+        status, out, err = run("--supports", "seats", "--pad-lateral", "4e7", "--pad-vertical", "1e8", "--bays", "4",
+                               "--neighbours", "0.9", "--mesh-size", "0.03", "--force-height", "0.1624", "--out", table_path,
+                               "--picture", picture, "--keep-deck", deck)
+        self.assertEqual(status, 0, err)
+        table = yaml.safe_load(table_path.read_text(encoding="utf-8"))
+        for name in ("rail.geo", "rail.msh", "rail.inp", "rail.frd"):
+            self.assertGreater((deck / name).stat().st_size, 0, name)
+        self.assertEqual(picture.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
         self.assertEqual(table["name"], "soft")
         self.assertEqual([entry["distance"] for entry in table["neighbours"]], [0.9])
         self.assertIn("--pad-lateral 4e7", table["provenance"]["command"])
@@ -78,9 +64,8 @@ class WholeRun(unittest.TestCase):
         self.assertIn("estimated discretisation error", out)
 
     def test_roll_stiffness_impossible_for_the_foot_is_refused(self):
-        with tempfile.TemporaryDirectory() as directory:
-            status, _, err = run("--supports", "seats", "--pad-lateral", "4e7", "--pad-vertical", "1e8", "--pad-roll",
-                                 "1e6", "--bays", "2", "--mesh-size", "0.04", "--out", str(Path(directory) / "t.yaml"))
+        status, _, err = run("--supports", "seats", "--pad-lateral", "4e7", "--pad-vertical", "1e8", "--pad-roll", "1e6",
+                             "--bays", "2", "--mesh-size", "0.04", "--out", self.folder / "t.yaml")
         self.assertEqual(status, 1)
         self.assertIn("--pad-roll is 1e+06 N m/rad", err)
         self.assertIn("must be between", err)

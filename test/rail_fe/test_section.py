@@ -2,10 +2,8 @@
 import tempfile
 import unittest
 from pathlib import Path
-
 import numpy as np
 from rails import CONFIG, bar, rail_60e1
-
 from wheel_rail_contact.command import Failure
 from wheel_rail_contact.rail_fe import outline_60e1
 from wheel_rail_contact.rail_fe.section import Section, read_section
@@ -93,8 +91,7 @@ class File(unittest.TestCase):
 
     def test_invalid_files_are_reported_with_reason(self):
         for text, reason in (("-10,0\n10,0\n0,9\n", "must be y_mm,z_mm"), ("y_mm,z_mm\n1,a\n", "could not convert"),
-                                ("y_mm,z_mm\n0,0\n1,1\n", "at least three"),
-                                ("y_mm,z_mm\n0,0,1\n1,0,1\n", "two columns"),
+                                ("y_mm,z_mm\n0,0\n1,1\n", "at least three"), ("y_mm,z_mm\n0,0,1\n1,0,1\n", "two columns"),
                                 ("y_mm,z_mm\n0,0\n1,0\n0,nan\n", "finite")):
             with self.subTest(text), self.assertRaisesRegex(Failure, reason):
                 self.read(text)

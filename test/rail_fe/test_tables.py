@@ -3,17 +3,14 @@
 import math
 import re
 import unittest
-
 import yaml
 from rails import CONFIG, needs_programs, rail_60e1, solved
-
 from wheel_rail_contact.rail_fe.analysis import COMPLIANCES
 from wheel_rail_contact.rail_fe.study import Study
 from wheel_rail_contact.rail_fe.supports import Pads
 
 KEYS = {"name", "reference_depth", *COMPLIANCES, "linear_range_lateral_to_vertical", "neighbours", "provenance"}
-PADS = {"pads_10_25": (10e6, 25e6), "pads_20_60": (20e6, 60e6), "pads_40_100": (40e6, 100e6),
-        "pads_100_500": (100e6, 500e6)}
+PADS = {"pads_10_25": (10e6, 25e6), "pads_20_60": (20e6, 60e6), "pads_40_100": (40e6, 100e6), "pads_100_500": (100e6, 500e6)}
 
 
 def shipped(name):

@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """A bag played through the live node gives the results of contact_replay: the same bytes in the same order."""
-
 import io
 import math
 import pathlib
@@ -9,7 +8,6 @@ import subprocess
 import sys
 import tempfile
 import time
-
 import rosbag
 import roslib.packages
 import rospkg

@@ -1,16 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Shared by the tests of contact_replay: bags of a wheelset with a periodic lateral motion, and runs of the program."""
-
 import csv
 import math
 import os
 import pathlib
 import subprocess
-
 import genpy
 import rosbag
 from commands import FolderCase
 from geometry_msgs.msg import PoseStamped, TransformStamped, WrenchStamped
+from std_msgs.msg import Header
 
 PROGRAM = os.environ["CONTACT_REPLAY"]
 SHIPPED = pathlib.Path(__file__).resolve().parents[2] / "bags" / "manchester_sweep.bag"
@@ -28,26 +27,21 @@ def stamp(i):
 
 
 def pose(i, frame="track"):
-    message = PoseStamped()
-    message.header.stamp = stamp(i)
-    message.header.frame_id = frame
+    message = PoseStamped(header=Header(stamp=stamp(i), frame_id=frame))
     message.pose.position.y = 5e-3 * math.sin(0.01 * i)
     message.pose.orientation.w = 1
     return message
 
 
 def load(i):
-    message = WrenchStamped()
-    message.header.stamp = stamp(i)
+    message = WrenchStamped(header=Header(stamp=stamp(i)))
     message.wrench.force.z = -200e3
     return message
 
 
 def transform(y, nanoseconds=0):
     """Transform of the frame "survey" to the track."""
-    message = TransformStamped()
-    message.header.stamp = time(nanoseconds)
-    message.header.frame_id, message.child_frame_id = "track", "survey"
+    message = TransformStamped(header=Header(stamp=time(nanoseconds), frame_id="track"), child_frame_id="survey")
     message.transform.translation.y, message.transform.rotation.w = y, 1
     return message
 
@@ -83,6 +77,11 @@ class ReplayCase(FolderCase):
         run = subprocess.run([PROGRAM, bag, out, *map(str, options)], capture_output=True, text=True, check=False)
         self.assertEqual(run.returncode, status, run.stdout + run.stderr)
         return out, run.stdout + run.stderr
+
+    def replay_parts(self, bag, at, *options, status=0):
+        """Replays the parts of a bag between the times `at`; None: an end of the bag. @return paths of their results"""
+        return [self.replay(bag, f"part_{k}.bag", *(("--from", start) if start else ()), *(("--to", end) if end else ()),
+                            *options, status=status)[0] for k, (start, end) in enumerate(zip(at, at[1:]))]
 
     def results(self, bag, topic=RESULTS):
         with rosbag.Bag(str(bag)) as opened:

@@ -1,18 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_replay on complete bags: every pair has a result, and each run gives the same bytes."""
-
 import math
 import pty
 import os
 import subprocess
-
 import rosbag
 from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
 from wheel_rail_contact.msg import WheelsetContact
-
-from replay_case import (FEW_RESULTS, MISUSED, PROGRAM, SHIPPED, ReplayCase, pairs, pose, rows_of, stamp, time,
-                         transform)
+from replay_case import (FEW_RESULTS, MISUSED, PROGRAM, SHIPPED, ReplayCase, pairs, pose, rows_of, stamp, time, transform)
 
 
 class WholeBags(ReplayCase):
@@ -125,8 +121,7 @@ class WholeBags(ReplayCase):
         transforms = [("/tf", TFMessage([transform(1e-5 * i, stamp(i).to_nsec())]), stamp(i)) for i in (0, 50)]
         path = self.write_bag([*pairs(range(200), change=change), *transforms])
         results = self.results(self.replay(path, status=FEW_RESULTS)[0])
-        self.assertEqual([r.status for r in results],
-                         [WheelsetContact.OK] * 51 + [WheelsetContact.NO_TRANSFORM] * 149)
+        self.assertEqual([r.status for r in results], [WheelsetContact.OK] * 51 + [WheelsetContact.NO_TRANSFORM] * 149)
         for i in range(51):
             self.assertAlmostEqual(results[i].wheelset.position.y, pose(i).pose.position.y + 1e-5 * i, delta=1e-12)
 
@@ -148,10 +143,9 @@ class WholeBags(ReplayCase):
         self.assertFalse((self.folder / "other.bag").exists())
 
     def test_wrong_arguments_are_reported_by_name(self):
-        for options, reason in ((["--threads", "0"], "--threads = 0"), (["--colour"], "--colour"),
-                                (["third.bag"], "two bags"), (["--csv"], "'--csv' is missing"),
-                                (["--csv", "--lz4"], "--csv: requires a value"), (["--csv", "a", "--csv", "b"], "--csv"),
-                                (["--wheelset", "a", "/a"], "given twice")):
+        for options, reason in ((["--threads", "0"], "--threads = 0"), (["--colour"], "--colour"), (["third.bag"], "two bags"),
+                                (["--csv"], "'--csv' is missing"), (["--csv", "--lz4"], "--csv: requires a value"),
+                                (["--csv", "a", "--csv", "b"], "--csv"), (["--wheelset", "a", "/a"], "given twice")):
             _, printed = self.replay(SHIPPED, "out.bag", *options, status=MISUSED)
             self.assertIn(reason, printed)
         _, printed = self.replay(SHIPPED, "out.bag", "--wheelset", "front", status=1)

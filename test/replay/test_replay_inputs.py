@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_replay with displacements of the rails and distances in the bag."""
-
 import math
-
-from geometry_msgs.msg import PointStamped, TwistStamped
+from geometry_msgs.msg import Point, PointStamped, TwistStamped
+from std_msgs.msg import Header
 from wheel_rail_contact.msg import RailDisplacements, WheelsetContact
-
 from replay_case import ReplayCase, load, pose, rows_of, stamp
 
 PAIRS = 40
@@ -13,24 +11,18 @@ TOPICS = "track: {displacement: topic, distance: topic}\n"
 
 
 def displacements(i, left=(0, 0, 0), right=(0, 0, 0)):
-    message = RailDisplacements()
-    message.header.stamp = stamp(i)
+    message = RailDisplacements(header=Header(stamp=stamp(i)))
     for rail, values in (message.left, left), (message.right, right):
         rail.lateral, rail.vertical, rail.roll = values
     return message
 
 
 def distance(i, x=0.0):
-    message = PointStamped()
-    message.header.stamp = stamp(i)
-    message.point.x = x
-    return message
+    return PointStamped(Header(stamp=stamp(i)), Point(x=x))
 
 
 def twist(i, speed=20.0, rotation=0.0, frame="track"):
-    message = TwistStamped()
-    message.header.stamp = stamp(i)
-    message.header.frame_id = frame
+    message = TwistStamped(header=Header(stamp=stamp(i), frame_id=frame))
     message.twist.linear.x, message.twist.angular.y = speed, rotation
     return message
 

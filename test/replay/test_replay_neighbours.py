@@ -1,13 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_replay with neighbouring wheelsets, whose forces are read from their results in the bag."""
-
 import math
 import pathlib
-
 import yaml
 from std_msgs.msg import Header
 from wheel_rail_contact.msg import RailDisplacements, WheelsetContact
-
 from replay_case import MISUSED, RESULTS, ReplayCase, pairs, stamp
 
 PAIRS = 30
@@ -41,13 +38,19 @@ class Neighbours(ReplayCase):
         self.soft, self.behind = self.config(SOFT, "soft.yaml"), self.config(BEHIND, "behind.yaml")
         self.bag = self.write_bag([*pairs(range(PAIRS), "/front/wheelset"), *pairs(range(PAIRS), "/behind/wheelset")])
 
-    def test_forces_of_the_previous_step_of_the_neighbour_deflect_the_rails(self):
-        both, _ = self.replay(self.bag, "both.bag", "--config", self.soft, "--wheelset", "front", "--no-grids",
-                              "--keep-topics")
+    def results_of_both(self):
+        """Results of the front wheelset and of the one behind it, which reads the former, and what the second replay prints."""
+        both, _ = self.replay(self.bag, "both.bag", "--config", self.soft, "--wheelset", "front", "--no-grids", "--keep-topics")
         out, printed = self.replay(both, "out.bag", "--config", self.behind, "--wheelset", "behind", "--no-grids")
-        self.assertIn("/behind/contact_node/contact: 1 results lack a neighbour's forces", printed)
         front, behind = self.results(both, "/front" + RESULTS), self.results(out, "/behind" + RESULTS)
         self.assertEqual(len(behind), PAIRS)
+        for result in behind[1:]:
+            self.assertEqual(result.status, WheelsetContact.OK, result.status_text)
+        return front, behind, printed
+
+    def test_forces_of_the_previous_step_of_the_neighbour_deflect_the_rails(self):
+        front, behind, printed = self.results_of_both()
+        self.assertIn("/behind/contact_node/contact: 1 results lack a neighbour's forces", printed)
         influence = TABLE["neighbours"][1]
         self.assertEqual(influence["distance"], 2.5)
         # Deflection and forces of a result agree with the table except for rounding: 1e-6 of some millimetres.
@@ -56,7 +59,6 @@ class Neighbours(ReplayCase):
         for found in offset(behind[0].left_rail):
             self.assertAlmostEqual(found, 0, delta=2e-9, msg="the first result has no earlier result of the neighbour")
         for before, result in zip(front, behind[1:]):
-            self.assertEqual(result.status, WheelsetContact.OK, result.status_text)
             for side in "left_rail", "right_rail":
                 expected = deflection(influence, getattr(before, side))
                 self.assertGreater(max(map(abs, expected)), 1e-5)
@@ -70,14 +72,9 @@ class Neighbours(ReplayCase):
             rail.lateral, rail.vertical, rail.roll = values
         messages = [RailDisplacements(Header(stamp=stamp(i)), message.left, message.right) for i in range(PAIRS)]
         self.write_bag([("/behind/wheelset/rail_displacement", one, one.header.stamp) for one in messages], self.bag.name, "a")
-        both, _ = self.replay(self.bag, "both.bag", "--config", self.soft, "--wheelset", "front", "--no-grids",
-                              "--keep-topics")
         self.behind.write_text(BEHIND + "track: {displacement: topic}\n")
-        out, _ = self.replay(both, "out.bag", "--config", self.behind, "--wheelset", "behind", "--no-grids")
-        front, behind = self.results(both, "/front" + RESULTS), self.results(out, "/behind" + RESULTS)
-        self.assertEqual(len(behind), PAIRS)
+        front, behind, _ = self.results_of_both()
         for before, result in zip(front, behind[1:]):
-            self.assertEqual(result.status, WheelsetContact.OK, result.status_text)
             for side, values in given.items():
                 rail = getattr(result, side)
                 by_neighbour = deflection(TABLE["neighbours"][1], getattr(before, side))
@@ -93,6 +90,5 @@ class Neighbours(ReplayCase):
         self.assertIn("wheel_rail_contact/WheelsetContact: none", text)
 
     def test_neighbour_evaluated_in_the_same_run_is_refused(self):
-        _, text = self.replay(self.bag, "out.bag", "--config", self.behind, "--wheelset", "front", "behind",
-                              status=MISUSED)
+        _, text = self.replay(self.bag, "out.bag", "--config", self.behind, "--wheelset", "front", "behind", status=MISUSED)
         self.assertIn("is a result of this same run", text)

@@ -1,14 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_replay --from --to: the joined parts of a bag are the file that one replay of the whole bag writes."""
-
 import os
 import subprocess
-
 import rosbag
 from std_msgs.msg import Header, String
 from tf2_msgs.msg import TFMessage
 from wheel_rail_contact.msg import RailDeflection, WheelsetContact
-
 from replay_case import FEW_RESULTS, MISUSED, ReplayCase, load, pose, time, transform
 
 JOIN = os.environ["CONTACT_JOIN"]
@@ -46,9 +43,7 @@ class Parts(ReplayCase):
     def parts(self, *options, cuts=CUTS, status=0):
         """Replays the parts. @return paths of their results"""
         at = [None, *(f"{(START + round(1e9 * cut)) // 10**9}.{round(1e9 * cut) % 10**9:09}" for cut in cuts), None]
-        return [self.replay(self.bag, f"part_{k}.bag", *(("--from", start) if start else ()),
-                            *(("--to", end) if end else ()), *self.options, *options, status=status)[0]
-                for k, (start, end) in enumerate(zip(at, at[1:]))]
+        return self.replay_parts(self.bag, at, *self.options, *options, status=status)
 
     def join(self, parts, *options, status=0):
         out = self.folder / "joined.bag"
@@ -175,8 +170,7 @@ class Parts(ReplayCase):
         self.write(seconds=2)
         parts = self.parts(cuts=(0.7, 1.3))
         first, second = (f"{START + round(1e9 * cut)} ns" for cut in (0.7, 1.3))
-        for wrong, reported, missing, position in (
-                (parts[1:], "part_1.bag", "0 ns", f"this part begins at {first}"),
+        for wrong, reported, missing, position in ((parts[1:], "part_1.bag", "0 ns", f"this part begins at {first}"),
                 (parts[::2], "part_2.bag", first, f"this part begins at {second}"),
                 (parts[:2], "part_1.bag", second, "this is the last part")):
             _, printed = self.join(wrong, status=1)

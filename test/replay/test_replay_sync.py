@@ -1,12 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_replay on bags whose loads have another rate than the poses, and on bags without stamps."""
-
 import os
 import subprocess
-
 import genpy
 from wheel_rail_contact.msg import WheelsetContact
-
 from replay_case import FEW_RESULTS, ReplayCase, load, pairs, pose, stamp
 
 
@@ -82,10 +79,7 @@ class Interpolation(ReplayCase):
         bag = self.write(range(0, 9000, 25), range(0, 9000, 60))
         whole, _ = self.replay(bag, "whole.bag", "--config", self.interpolated, "--no-grids")
         self.assertGreater(len(self.results(whole)), 350)
-        cuts = [None, "6.013", "8.5", None]
-        parts = [self.replay(bag, f"part_{k}.bag", "--config", self.interpolated, "--no-grids",
-                             *(("--from", start) if start else ()), *(("--to", end) if end else ()))[0]
-                 for k, (start, end) in enumerate(zip(cuts, cuts[1:]))]
+        parts = self.replay_parts(bag, [None, "6.013", "8.5", None], "--config", self.interpolated, "--no-grids")
         for part in parts:
             self.assertGreater(len(self.results(part)), 50)
         joined = self.folder / "joined.bag"

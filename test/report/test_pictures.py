@@ -2,16 +2,15 @@
 """Pictures of contact_report: scales, gaps, marks and labels of the figures, before they are written to files."""
 import copy
 import html
-import pathlib
 import subprocess
 import sys
 import types
 import unittest
 from unittest import mock
-
 import genpy
 import numpy as np
 import rosbag
+from sweep_case import PACKAGE, SweepCase
 from wheel_rail_contact.checking.axle import history
 from wheel_rail_contact.checking.bounds import judge, read_limits, sample
 from wheel_rail_contact.command import pyplot
@@ -20,9 +19,6 @@ from wheel_rail_contact.report import axle, drawing, histories, marks, positions
 from wheel_rail_contact.report.command_line import main
 from wheel_rail_contact.report.loops import loop_of, loops
 from wheel_rail_contact.report.results import WHEEL_FIELDS, read, read_full
-
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "replay"))
-from sweep_case import PACKAGE, SweepCase  # noqa: E402  (in the folder of other tests)
 
 TOPIC = "/contact_node/contact"
 STAMPS = np.array([1.0, 1.5, 2.0, 1.0, 1.5, 0.5])  # of three loops

@@ -3,26 +3,22 @@
 import base64
 import html.parser
 import io
-import pathlib
 import shutil
 import subprocess
 import sys
 import unittest
 from importlib.util import find_spec
-
 import genpy
 import numpy as np
 import rosbag
 from matplotlib import image
+from commands import error_without_space
+from sweep_case import PACKAGE, SWEEP, SweepCase
 from wheel_rail_contact.msg import RailDisplacements, WheelsetContact
 from wheel_rail_contact.report import drawing, histories, positions
 from wheel_rail_contact.report.command_line import main
 from wheel_rail_contact.report.page import extremes
 from wheel_rail_contact.report.results import per_result, read, read_full
-
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "replay"))
-from commands import error_without_space  # noqa: E402  (in the folder of other tests)
-from sweep_case import PACKAGE, SWEEP, SweepCase  # noqa: E402  (in the folder of other tests)
 
 TABLE = PACKAGE / "config" / "rails" / "pads_40_100.yaml"
 BENDING = f"""\

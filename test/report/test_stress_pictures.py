@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures of the stress in contact_report: which patches they show, on which surfaces, and what replaces them."""
-import pathlib
 import subprocess
 import sys
 import unittest
 from unittest import mock
-
 import numpy as np
 import rosbag
+from sweep_case import PACKAGE, SWEEP, SweepCase
 from wheel_rail_contact.message_constants import SIDES
 from wheel_rail_contact.report import stress
 from wheel_rail_contact.report.results import read, read_full
@@ -16,9 +15,6 @@ try:
     from wheel_rail_contact import WheelsetContact
 except ImportError:
     WheelsetContact = None  # the module is optional in a build
-
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "replay"))
-from sweep_case import PACKAGE, SWEEP, SweepCase  # noqa: E402  (in the folder of other tests)
 
 PARAMETERS = f"""\
 rail: {{profile: UIC60_manchester, right: {{profile: 60E1, inclination: 1:20}}}}

@@ -5,7 +5,6 @@
 The colours of the pressure and of the stress appear on the screen, and the logs contain no warnings or errors. A result that
 is not usable leaves the rails, and is red in the panel.
 """
-
 import math
 import os
 import pathlib
@@ -14,7 +13,6 @@ import subprocess
 import tempfile
 import time
 import unittest
-
 import numpy
 import rosbag
 import rospkg
@@ -69,25 +67,15 @@ def screenshot():
     return numpy.frombuffer(raw, numpy.uint8).reshape(SCREEN[1], SCREEN[0], 3).astype(int)
 
 
-def coloured(picture, half):
-    """Number of pixels with the colour of the middle of the scale, in the left (0) or right (1) half below the panel."""
-    width = SCREEN[0] // 2
-    red, green, blue = numpy.moveaxis(picture[PANEL:, half * width:(half + 1) * width], 2, 0)
-    return int(numpy.count_nonzero((green - red > 60) & (blue < 170) & (abs(green - blue) < 40)))
-
-
-def yellow(picture, half):
-    """Number of pixels with the colour of the end of the scale, in the left (0) or right (1) half below the panel."""
-    width = SCREEN[0] // 2
-    red_part, green, blue = numpy.moveaxis(picture[PANEL:, half * width:(half + 1) * width], 2, 0)
-    return int(numpy.count_nonzero((red_part > 200) & (green > 190) & (blue < 110)))
-
-
-def rail_grey(picture, half):
-    """Number of pixels with the colour of the rails, in the left (0) or right (1) half below the panel."""
-    width = SCREEN[0] // 2
-    part = picture[PANEL:, half * width:(half + 1) * width]
-    return int(numpy.count_nonzero((part.min(axis=2) > 110) & (part.max(axis=2) < 200) & (numpy.ptp(part, axis=2) < 20)))
+def counts_below(picture):
+    """Numbers of pixels in the left and right half below the panel: two with the colour of the middle of the scale, two with
+    that of its end, two with that of the rails."""
+    halves = numpy.split(picture[PANEL:], 2, axis=1)
+    parts = [numpy.moveaxis(half, 2, 0) for half in halves]
+    found = [(green - red > 60) & (blue < 170) & (abs(green - blue) < 40) for red, green, blue in parts]
+    found += [(red > 200) & (green > 190) & (blue < 110) for red, green, blue in parts]
+    found += [(half.min(axis=2) > 110) & (half.max(axis=2) < 200) & (numpy.ptp(half, axis=2) < 20) for half in halves]
+    return [int(numpy.count_nonzero(pixels)) for pixels in found]
 
 
 def red(picture):
@@ -137,13 +125,12 @@ class RvizDisplay(unittest.TestCase):
             time.sleep(0.5)
 
     def test_pressure_and_stress_are_drawn_and_an_unusable_result_leaves_the_rails_and_a_red_reason(self):
-        counts, red_before = [], []  # of pixels: pressure and stress in both halves; red in the panel
+        red_before = []  # number of red pixels in the panel
 
         def drawn():
             picture = screenshot()
-            counts[:] = [count(picture, half) for count in (coloured, yellow) for half in (0, 1)]
             red_before[:] = [red(picture)]
-            return min(counts) > 1000
+            return min(counts_below(picture)[:4]) > 1000
 
         self.wait_for(drawn, "no pressure or no stress is drawn")
         self.assertEqual(rospy.get_param("contact_node/rail/profile"), "UIC60_manchester")
@@ -158,13 +145,10 @@ class RvizDisplay(unittest.TestCase):
             refused.header = result().header
             publisher.publish(refused)
             picture = screenshot()
-            remaining = sum(count(picture, half) for count in (coloured, yellow) for half in (0, 1))
-            return remaining < 20 and red(picture) > red_before[0] + 100
+            return sum(counts_below(picture)[:4]) < 20 and red(picture) > red_before[0] + 100
 
         self.wait_for(cleared, "a result that is not usable has a pressure or a stress, or its reason is not red")
-        picture = screenshot()
-        for half in (0, 1):
-            self.assertGreater(rail_grey(picture, half), 1000, "the rails have vanished")
+        self.assertGreater(min(counts_below(screenshot())[4:]), 1000, "the rails have vanished")
         faults = [line for line in self.output().splitlines() if re.search(r"\[ ?(ERROR|FATAL|WARN)|Ogre.*Exception", line)]
         self.assertEqual(faults, [])
 

@@ -1,13 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Test case with a temporary folder, and functions that convert tables with contact_states."""
-import pathlib
-import sys
-
+from commands import FolderCase
 from wheel_rail_contact.states.command_line import main
 from wheel_rail_contact.states.state import read_bag
-
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "replay"))
-from commands import FolderCase  # noqa: E402  (in the folder of other tests)
 
 
 class StatesCase(FolderCase):

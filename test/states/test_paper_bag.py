@@ -4,12 +4,10 @@ import filecmp
 import pathlib
 import subprocess
 import sys
-
 import rosbag
+from commands import FolderCase
 
 PACKAGE = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(PACKAGE / "test" / "replay"))
-from commands import FolderCase  # noqa: E402  (in the folder of other tests)
 
 SHIPPED = PACKAGE / "bags" / "paper.bag"
 CONFIG = PACKAGE / "config" / "paper.yaml"
@@ -31,8 +29,7 @@ class PaperBag(FolderCase):
     def test_replay_gives_the_values_of_the_case(self):
         rigid = self.config("rail_bending: {model: none}\n")
         # The values of the table were computed on a finer grid. 0.3 %: the tolerance of paper.yaml is 0.2 %.
-        for configs, pressure, area in (((CONFIG, rigid), 1182e6, 186.1e-6),
-                                        ((CONFIG,), 1246e6, 180.1e-6)):
+        for configs, pressure, area in (((CONFIG, rigid), 1182e6, 186.1e-6), ((CONFIG,), 1246e6, 180.1e-6)):
             patch = self.first_left_patch(f"{len(configs)}.bag", *configs)
             self.assertAlmostEqual(patch.max_pressure, pressure, delta=3e-3 * pressure)
             self.assertAlmostEqual(patch.area, area, delta=3e-3 * area)

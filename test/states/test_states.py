@@ -6,15 +6,12 @@ import pathlib
 import subprocess
 import sys
 from unittest import mock
-
 import rosbag
 from geometry_msgs.msg import PoseStamped, WrenchStamped
 from states_case import StatesCase
+from commands import error_without_space
 from wheel_rail_contact.states.command_line import main
 from wheel_rail_contact.states.state import State, read_bag, stamp_of, write_bag
-
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "replay"))
-from commands import error_without_space  # noqa: E402  (in the folder of other tests)
 
 SCRIPTS = pathlib.Path(__file__).resolve().parents[2] / "scripts"
 
@@ -100,8 +97,7 @@ class States(StatesCase):
         # Without angles: their conversion to a quaternion has rounding errors, 1e-16 rad.
         states = [State(10**9 + i * 1234567, 0.1 * i, math.sin(i) / 300, 0.46, 0.0, 0.0, -2e5 / 3 * (i + 1), math.pi * i,
                         1e4 / (i + 1), -1e4 * (i + 1), *(1e-3 * math.cos(i + k) for k in range(6)), 1e3 + i / 7,
-                        *(math.cos(i + k) for k in range(12)))
-                  for i in range(20)]
+                        *(math.cos(i + k) for k in range(12))) for i in range(20)]
         write_bag(self.folder / "a.bag", states, "/front")
         for axes in ("rep103", "railway"):
             self.run_states("a.bag", f"{axes}.csv", "--axes", axes, "--wheelset", "front")

@@ -1,0 +1,7 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs modules with tests of the working folder, as `python3 -m unittest` does. They may import the helpers of this folder."""
+import sys
+import unittest
+
+sys.path.insert(0, "")
+unittest.main(None)
