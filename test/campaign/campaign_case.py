@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Shared by the tests of contact_campaign: runs of the command, a cluster of processes, and a case with a folder."""
+
 import contextlib
 import hashlib
 import json

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_campaign writes the same files as contact_replay, even if workers or the campaign are killed."""
+
 import gzip
 import json
 import os
@@ -8,6 +9,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+
 from campaign_case import PACKAGE, TIMEOUT, Case, Cluster, processes_of, run, skip_without_dask, wait_for
 from replay_case import pairs, pose, stamp
 from wheel_rail_contact.campaign.cluster import dask

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_campaign refuses changes of a campaign, and what it cannot use, by name."""
+
 import contextlib
 import json
 import os
@@ -9,6 +10,7 @@ import tempfile
 import types
 import unittest
 import unittest.mock
+
 from campaign_case import GRID, Case, Cluster, run, skip_without_dask
 
 setUpModule = skip_without_dask

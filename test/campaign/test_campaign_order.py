@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Order of the tasks of a campaign, and its interruption. A replacement of Dask runs no task."""
+
 import collections
 import os
 import signal
@@ -7,6 +8,7 @@ import tempfile
 import types
 import unittest
 import unittest.mock
+
 from campaign_case import skip_without_dask
 from wheel_rail_contact.campaign.campaign import AHEAD, Campaign
 from wheel_rail_contact.campaign.folder import Folder

@@ -3,6 +3,7 @@
 import unittest
 from types import SimpleNamespace
 from unittest import mock
+
 from wheel_rail_contact.chart import scenes
 from wheel_rail_contact.chart.measuring import Plan, Runner, Series, compare, errors_of, quantile
 from wheel_rail_contact.command import Failure

@@ -8,8 +8,10 @@ import tempfile
 import unittest
 import xml.etree.ElementTree
 from pathlib import Path
+
 from matplotlib import image
 from matplotlib.colors import to_rgb
+
 from wheel_rail_contact.chart import creep, table
 from wheel_rail_contact.chart.front import compare_auto
 from wheel_rail_contact.chart.picture import METHODS

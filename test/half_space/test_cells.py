@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Half-spaces, contact and correction on cells, without a program."""
 import unittest
+
 import numpy as np
+
 from wheel_rail_contact.command import Failure
 from wheel_rail_contact.half_space import normal_contact
 from wheel_rail_contact.half_space.correction import Correction

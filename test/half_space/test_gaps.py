@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Cells and gaps of a place, and the half-space models on them."""
 import unittest
+
 from wheel_rail_contact.command import Failure
 from wheel_rail_contact.core.contact import WheelsetContact
 from wheel_rail_contact.half_space import cases, gaps

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """make_irregular_line: the lines have the power spectral densities of ORE B176."""
 import filecmp
+
 import numpy as np
 from line_case import LineCase, columns_of
 from wheel_rail_contact.line.command_line import main

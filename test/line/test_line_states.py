@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The example of doc/line.md: states of a wheelset on a line with irregularities, their results and the report."""
 from unittest import mock
+
 import numpy as np
 import rosbag
 from line_case import LineCase, columns_of

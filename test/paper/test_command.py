@@ -3,6 +3,7 @@ import dataclasses
 import sys
 from pathlib import Path
 from unittest import mock
+
 from coarse_ranges import COARSE, NEAR_FLANGE
 from commands import FolderCase, error_without_space, running
 from wheel_rail_contact.paper import study

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The case of the paper: its parameters, one wheel alone, placements and methods."""
 import unittest
+
 import numpy as np
+
 from wheel_rail_contact.core.one_wheel import OneWheel, roll_to_balance
 from wheel_rail_contact.paper import methods, placement
 from wheel_rail_contact.paper.case import (DISPLACEMENT, INCLINATION, LATERAL_FORCE, LOAD, POSITION, PRINTED_WITHOUT,

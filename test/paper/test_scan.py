@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Settings that could give the figures of the paper, and rails under lateral forces."""
 import unittest
+
 from coarse_ranges import COARSE, NEAR_FLANGE, RAIL
 from wheel_rail_contact.paper.case import LOAD, POSITION, TURN
 from wheel_rail_contact.paper.forces import Rail

@@ -2,7 +2,9 @@
 """Highest stresses in the rail."""
 import unittest
 from types import SimpleNamespace
+
 import numpy as np
+
 from wheel_rail_contact.command import Failure
 from wheel_rail_contact.paper import placement
 from wheel_rail_contact.paper.forces import Rail

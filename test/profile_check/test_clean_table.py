@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Points along a curve, from which the same curve is read again."""
 import unittest
+
 import numpy as np
 from profile_case import MM, ProfileCase, noisy_points, points_of, standard
+
 from wheel_rail_contact.profile_check.clean_table import largest_distance, points_along
 from wheel_rail_contact.profile_check.curve import Curve, Feet
 

@@ -4,6 +4,7 @@ import math
 import os
 import sys
 from pathlib import Path
+
 import numpy as np
 from commands import FolderCase, error_without_space, is_drawn, running
 from wheel_rail_contact.profile_check.command_line import main

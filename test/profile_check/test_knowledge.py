@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What is known of the running surface."""
 import unittest
+
 import numpy as np
+
 from wheel_rail_contact.profile_check.knowledge import surface_knowledge
 
 MM = 1e-3  # [m]

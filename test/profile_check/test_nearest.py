@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The nearest standard profile: its motion, its distance, and what is compared."""
 from unittest import mock
+
 import numpy as np
 from profile_case import MM, ProfileCase, moved, points_of, standard
+
 from wheel_rail_contact.profile_check import nearest
 from wheel_rail_contact.profile_check.curve import Curve, Feet
 

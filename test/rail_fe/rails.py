@@ -3,7 +3,9 @@
 import shutil
 import unittest
 from pathlib import Path
+
 import numpy as np
+
 from wheel_rail_contact.rail_fe.analysis import solve
 from wheel_rail_contact.rail_fe.section import Section, read_section
 

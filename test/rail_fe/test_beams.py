@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Bars with a closed-form compliance."""
 import unittest
+
 from rails import bar, needs_programs, solved
+
 from wheel_rail_contact.rail_fe.study import Study
 from wheel_rail_contact.rail_fe.supports import Pads
 

@@ -2,6 +2,7 @@
 import os
 from pathlib import Path
 from unittest import mock
+
 import yaml
 from rails import HAVE_PROGRAMS, needs_programs
 from commands import FolderCase, running

@@ -2,8 +2,10 @@
 import tempfile
 import unittest
 from pathlib import Path
+
 import numpy as np
 from rails import needs_programs, rail_60e1
+
 from wheel_rail_contact.rail_fe.gmsh_mesh import rail_mesh
 from wheel_rail_contact.rail_fe.stations import stations
 from wheel_rail_contact.rail_fe.surface import FacePoints, shape_functions, shape_slopes

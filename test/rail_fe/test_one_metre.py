@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One metre of 60E1 under 30 kN: comparison with the paper and with a separate study."""
 import unittest
+
 from rails import needs_programs, rail_60e1, solved
+
 from wheel_rail_contact.rail_fe.study import Study
 from wheel_rail_contact.rail_fe.supports import Pads
 

@@ -2,8 +2,10 @@
 import tempfile
 import unittest
 from pathlib import Path
+
 import numpy as np
 from rails import CONFIG, bar, rail_60e1
+
 from wheel_rail_contact.command import Failure
 from wheel_rail_contact.rail_fe import outline_60e1
 from wheel_rail_contact.rail_fe.section import Section, read_section

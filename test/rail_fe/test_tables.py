@@ -3,8 +3,10 @@
 import math
 import re
 import unittest
+
 import yaml
 from rails import CONFIG, needs_programs, rail_60e1, solved
+
 from wheel_rail_contact.rail_fe.analysis import COMPLIANCES
 from wheel_rail_contact.rail_fe.study import Study
 from wheel_rail_contact.rail_fe.supports import Pads

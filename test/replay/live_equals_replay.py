@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """A bag played through the live node gives the results of contact_replay: the same bytes in the same order."""
+
 import io
 import math
 import pathlib
@@ -8,6 +9,7 @@ import subprocess
 import sys
 import tempfile
 import time
+
 import rosbag
 import roslib.packages
 import rospkg

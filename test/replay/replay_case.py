@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Shared by the tests of contact_replay: bags of a wheelset with a periodic lateral motion, and runs of the program."""
+
 import csv
 import math
 import os
 import pathlib
 import subprocess
+
 import genpy
 import rosbag
 from commands import FolderCase

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Shared by the tests of commands that read results: replays of the shipped sweep, and runs of a command."""
+
 import os
 import pathlib
 import subprocess
 import tempfile
+
 from commands import CommandCase
 
 PACKAGE = pathlib.Path(__file__).resolve().parents[2]

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_replay on complete bags: every pair has a result, and each run gives the same bytes."""
+
 import math
 import pty
 import os
 import subprocess
+
 import rosbag
 from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage

@@ -3,13 +3,16 @@
 
 Everything readable is evaluated, the rest is reported, and the exit status is not 0.
 """
+
 import os
 import shutil
 import struct
 import subprocess
+
 import rosbag
 from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
+
 from replay_case import DAMAGED, PROGRAM, ReplayCase, pairs, stamp
 
 CHUNK = 20000  # [B] about 30 pairs

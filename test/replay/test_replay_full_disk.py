@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_replay with outputs that cannot be written: it reports the file, exits with 1, and can be resumed."""
+
 import subprocess
+
 from commands import error_without_space
 from replay_case import PROGRAM, ReplayCase
 

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_replay with displacements of the rails and distances in the bag."""
+
 import math
 from geometry_msgs.msg import Point, PointStamped, TwistStamped
 from std_msgs.msg import Header
 from wheel_rail_contact.msg import RailDisplacements, WheelsetContact
+
 from replay_case import ReplayCase, load, pose, rows_of, stamp
 
 PAIRS = 40

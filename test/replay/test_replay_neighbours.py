@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_replay with neighbouring wheelsets, whose forces are read from their results in the bag."""
+
 import math
 import pathlib
+
 import yaml
 from std_msgs.msg import Header
 from wheel_rail_contact.msg import RailDisplacements, WheelsetContact
+
 from replay_case import MISUSED, RESULTS, ReplayCase, pairs, stamp
 
 PAIRS = 30

@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_replay --from --to: the joined parts of a bag are the file that one replay of the whole bag writes."""
+
 import os
 import subprocess
+
 import rosbag
 from std_msgs.msg import Header, String
 from tf2_msgs.msg import TFMessage
 from wheel_rail_contact.msg import RailDeflection, WheelsetContact
+
 from replay_case import FEW_RESULTS, MISUSED, ReplayCase, load, pose, time, transform
 
 JOIN = os.environ["CONTACT_JOIN"]

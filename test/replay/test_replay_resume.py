@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Interrupted contact_replay: the bag is readable after Ctrl-C, and --resume gives the file of an uninterrupted run."""
+
 import shutil
 import signal
 import subprocess
 import time
+
 import rosbag
+
 from replay_case import INTERRUPTED, PROGRAM, RESULTS, ReplayCase, pairs
 
 PAIRS = 3000

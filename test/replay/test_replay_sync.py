@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_replay on bags whose loads have another rate than the poses, and on bags without stamps."""
+
 import os
 import subprocess
+
 import genpy
 from wheel_rail_contact.msg import WheelsetContact
+
 from replay_case import FEW_RESULTS, ReplayCase, load, pairs, pose, stamp
 
 

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_replay on bags whose input topics have other names (--pose, --load and others)."""
+
 from geometry_msgs.msg import Point, PointStamped
+
 from replay_case import MISUSED, ReplayCase, load, pairs, pose, stamp
 
 PAIRS = 60

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_replay does not end with 0 if the input of most poses is unusable, although each of them has a result."""
+
 from wheel_rail_contact.msg import WheelsetContact
+
 from replay_case import DOUBTFUL_LOADS, FEW_RESULTS, ReplayCase, pairs, pose, stamp
 
 PAIRS = 20

@@ -7,9 +7,11 @@ writes the tables again:
 
   CONTACT_REPLAY=build/devel/lib/wheel_rail_contact/contact_replay python3 test/replay/test_stored_results.py write
 """
+
 import csv
 import pathlib
 import sys
+
 from replay_case import SHIPPED, ReplayCase
 
 STORED = pathlib.Path(__file__).parent / "stored"

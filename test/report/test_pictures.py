@@ -7,6 +7,7 @@ import sys
 import types
 import unittest
 from unittest import mock
+
 import genpy
 import numpy as np
 import rosbag

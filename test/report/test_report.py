@@ -8,6 +8,7 @@ import subprocess
 import sys
 import unittest
 from importlib.util import find_spec
+
 import genpy
 import numpy as np
 import rosbag

@@ -4,6 +4,7 @@ import subprocess
 import sys
 import unittest
 from unittest import mock
+
 import numpy as np
 import rosbag
 from sweep_case import PACKAGE, SWEEP, SweepCase

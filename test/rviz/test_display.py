@@ -5,6 +5,7 @@
 The colours of the pressure and of the stress appear on the screen, and the logs contain no warnings or errors. A result that
 is not usable leaves the rails, and is red in the panel.
 """
+
 import math
 import os
 import pathlib
@@ -13,6 +14,7 @@ import subprocess
 import tempfile
 import time
 import unittest
+
 import numpy
 import rosbag
 import rospkg

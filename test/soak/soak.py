@@ -13,6 +13,7 @@ The exit status is 1 in one of these cases:
 * The memory differs by more than 2 MB from its value after the first minute.
 * The latency (median) in the last third of the minutes is more than 1.5 times that in the first third.
 """
+
 import io
 import math
 import os
@@ -25,6 +26,7 @@ import sys
 import threading
 import time
 import xmlrpc.client
+
 import rospy
 import yaml
 from geometry_msgs.msg import PoseStamped, WrenchStamped

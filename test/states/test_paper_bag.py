@@ -4,6 +4,7 @@ import filecmp
 import pathlib
 import subprocess
 import sys
+
 import rosbag
 from commands import FolderCase
 

@@ -6,6 +6,7 @@ import pathlib
 import subprocess
 import sys
 from unittest import mock
+
 import rosbag
 from geometry_msgs.msg import PoseStamped, WrenchStamped
 from states_case import StatesCase

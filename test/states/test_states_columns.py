@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_states: titles of other programs, units, and the option --column."""
 import math
+
 from states_case import StatesCase
 
 

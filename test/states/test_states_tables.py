@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_states: text files as simulation tools export them, with their encodings, separators, decimal signs and comments."""
+
 from states_case import StatesCase
 
 TITLES = ("time [s]", "y [mm]", "Q_left [kN]", "Q_right [kN]")

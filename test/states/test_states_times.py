@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_states: stamps from the times or distances of a table, and rows that are dropped."""
+
 from states_case import StatesCase
 
 TITLES = "time [s],y [mm],force_z [kN]\n"

@@ -2,6 +2,7 @@
 """contact_states: wheel loads act at the running circles of the parameters, as in contact_replay."""
 import os
 import subprocess
+
 import rosbag
 from states_case import StatesCase
 

@@ -3,6 +3,7 @@
 
 Only Eigen 3.4 is installed on Debian 12. The names of further additions are in newer_names.yaml.
 """
+
 import re
 import shutil
 import sys

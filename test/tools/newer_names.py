@@ -2,6 +2,7 @@
 """Rules of newer_names.yaml, and what they find in a source."""
 import collections
 import re
+
 from python_patterns import Patterns
 
 # Comments and strings. A ' between digits separates thousands.

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The text files of the package, also in a source folder that is not a git repository."""
+
 import re
 
 GENERATED = re.compile(r"(build|devel|install|logs)\w*|\.git|\.programs|\.catkin_tools|__pycache__|.*\.egg-info|\.vscode|\.idea")

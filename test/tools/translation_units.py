@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The sources of the package, joined for a check that compiles them with clang. Most of the time of such a check is spent on the
 headers of Eigen and ROS, which are then read only a few times."""
+
 import collections
 import hashlib
 import json

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/normal/solvers/kik_piotrowski.h"
+
 #include "problems.h"
 
 namespace wheel_rail_contact::core

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/normal/solvers/seidel.h"
+
 #include "../../seeded.h"
 #include "problems.h"
 

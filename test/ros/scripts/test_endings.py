@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """contact_node works without its master and after malformed messages, and ends on signals, even during an evaluation."""
+
 import inspect
 import os
 import pathlib
@@ -11,6 +12,7 @@ import sys
 import tempfile
 import time
 import unittest
+
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import PoseStamped, WrenchStamped

@@ -4,6 +4,7 @@ import pathlib
 import re
 import tempfile
 import unittest
+
 import roslaunch.config
 from wheel_rail_contact.vehicle_view import view_of
 

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The shipped bag is the output of its script, and contains the documented sweep."""
+
 import filecmp
 import pathlib
 import subprocess
 import sys
 import tempfile
 import unittest
+
 import rosbag
 
 PACKAGE = pathlib.Path(__file__).resolve().parents[3]
