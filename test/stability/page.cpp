@@ -123,11 +123,8 @@ void writePage(std::ostream& out, const std::vector<MapTable>& tables)
          "This page shows in which situations each method is accurate, inaccurate, or without a result.\n\n";
   const std::vector<std::string> reasons = reasonsOf(tables);
   writeLegend(out, reasons);
-  out << "\nThe test `test_stability_page` solves each situation again. `auto` must be right, refused or flagged in "
-         "each of them. The other entries must be those of the page, except where a value is within "
-      << std::lround(100 * border_margin)
-      << " % of the border between two classes. `stability_campaign` checks random wheelsets "
-         "([CONTRIBUTING](../CONTRIBUTING.md#stability)).\n";
+  out << "\n`auto` is right, refused or flagged in each situation (`test_stability_page`). `stability_campaign` checks "
+         "random wheelsets ([CONTRIBUTING](../CONTRIBUTING.md#stability)).\n";
   for (const MapTable& table : tables)
   {
     writeTable(out, table, reasons);
