@@ -3,5 +3,6 @@
 import sys
 import unittest
 
-sys.path.insert(0, "")
-unittest.main(None)
+if __name__ == "__main__":  # not in the processes that tests start
+    sys.path.insert(0, "")
+    unittest.main(None)
