@@ -45,11 +45,11 @@ def _refuse_unused(model, given):
 
 
 def _state(options, place):
-    """State as a table of one row."""
+    """Numbers of a state, in the order of STATE_COLUMNS."""
     forces = iter((options.left_force or 0.0, options.right_force or 0.0))
     values = {"force_z": -options.load, "torque_x": options.torque, "y": options.y, "yaw": options.yaw,  # force_z: upward
               "distance": place}
-    return [[next(forces) if name == LATERAL_FORCE else values.get(name, 0.0) for name in native().STATE_COLUMNS]]
+    return [next(forces) if name == LATERAL_FORCE else values.get(name, 0.0) for name in native().STATE_COLUMNS]
 
 
 def _missing_inputs(model, distance):
