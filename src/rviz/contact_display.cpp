@@ -176,7 +176,9 @@ void ContactDisplay::showWaiting()
   const int seconds = static_cast<int>((now - waiting_since_).toSec());
   if (std::exchange(waited_, seconds) != seconds)
   {
-    const std::string topic = topic_property_->getTopicStd();  // as given: it may be no valid name
+    const std::string given = topic_property_->getTopicStd();
+    std::string error;
+    const std::string topic = ros::names::validate(given, error) ? update_nh_.resolveName(given) : given;
     showPanel({{{"no result on " + topic + " for " + std::to_string(seconds) + " s", Tone::warning}}, {}, {}});
   }
 }
