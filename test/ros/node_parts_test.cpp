@@ -193,6 +193,8 @@ TEST(WheelsetParameters, BadListsAreRefusedByName)
       {"[a], neighbour_reach: 3", "/vehicle/neighbour_reach = 3 must be 0 without wheelset_places"},
       {"[a], wheelset_places: [0], neighbour_reach: 3, rail_bending: stiff",
        "/vehicle/rail_bending = stiff must be a group"},
+      {"[a], wheelset_places: [0], neighbour_reach: 3, rail_bending: {neighbours: [{topic: x, distance: 1}]}",
+       "/vehicle/rail_bending/neighbours"},
       {"[a, b], wheelset: {frame: axle}", "/vehicle/wheelset/frame"},
       {"[a, b], track: {publish_track_frame: map}", "/vehicle/track/publish_track_frame"},
       {"[a], a: 3", "/vehicle/a = 3 must be a group: the parameters of this wheelset"}};

@@ -100,6 +100,9 @@ std::vector<WheelsetParameters> wheelsetParameters(
     {
       XmlRpcValue& bending = of_one["rail_bending"];
       reader.refuseIf(bending.valid() && bending.getType() != XmlRpcValue::TypeStruct, "rail_bending", "a group");
+      reader.refuseIf(bending.hasMember("neighbours") && bending["neighbours"].getType() == XmlRpcValue::TypeArray &&
+                          bending["neighbours"].size() > 0,
+                      "rail_bending/neighbours", "[] beside neighbour_reach, or in the group of a wheelset");
       bending["neighbours"] = neighboursOf(i, list, contact_topic);
     }
     if (own.hasMember(name))
