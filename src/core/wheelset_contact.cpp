@@ -15,6 +15,7 @@
 #include "core/state_check.h"
 #include "core/stress_beneath.h"
 #include "core/text/formatted.h"
+#include "core/wheel_wrench.h"
 
 namespace wheel_rail_contact::core
 {
@@ -338,8 +339,7 @@ class WheelsetContact::Calculation
       {
         wheel.vertical += patch.vertical_force;
         wheel.lateral += patch.lateral_force;
-        const Eigen::Vector3d force(-patch.slope_along * patch.normal_force, -sideSign(side) * patch.lateral_force,
-                                    patch.vertical_force);
+        const Eigen::Vector3d force = forceOnWheel(patch);
         const double y = patch.pose.y - result_.y, z = patch.pose.z - result_.z;
         wrench.force += force;
         wrench.moment +=

@@ -2,6 +2,7 @@
 #include "ros/evaluation/plain_messages.h"
 
 #include "../usual_headers.h"
+#include "core/wheel_wrench.h"
 #include "result_scene.h"
 #include "ros/evaluation/conversions.h"
 
@@ -73,7 +74,7 @@ TEST_F(PlainMessages, WrenchesOfBothWheelsAtTheirFramesAreTogetherThatOfTheRails
   const core::Wrench& rails = output.result->rail_wrench;
   EXPECT_LT((sum.force - rails.force).norm(), 1e-6);
   EXPECT_LT((sum.moment - rails.moment).norm(), 10) << sum.moment.transpose() << " and " << rails.moment.transpose();
-  const WheelWrench left = wheelWrench(*output.result, core::Side::left);
+  const core::WheelWrench left = core::wheelWrench(*output.result, core::Side::left);
   const core::PatchResult& patch = output.result->patches.front();
   const Eigen::Vector3d spin = patch.creep.force.moment * patch.pose.rotation().toRotationMatrix().col(2);
   EXPECT_LT((left.wrench.moment - spin).norm(), 1e-6) << "one patch: its spin moment alone";
@@ -110,7 +111,7 @@ TEST_F(PlainMessages, WheelWithoutLoadHasNoForceAndItsFrameIsThatOfTheAxle)
 {
   core::WheelsetResult lifted = *output.result;
   lifted.patches.resize(1);
-  const WheelWrench right = wheelWrench(lifted, core::Side::right);
+  const core::WheelWrench right = core::wheelWrench(lifted, core::Side::right);
   EXPECT_EQ(right.centre, Eigen::Vector3d::Zero());
   EXPECT_EQ(right.wrench.force, Eigen::Vector3d::Zero());
 }

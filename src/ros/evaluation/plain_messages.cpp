@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros/evaluation/plain_messages.h"
 
-#include "core/track/placement.h"
+#include "core/wheel_wrench.h"
 #include "ros/evaluation/conversions.h"
 
 namespace wheel_rail_contact
@@ -19,30 +19,6 @@ void addFrame(const ros::Time& stamp, const std::string& parent, const std::stri
   transform.transform.rotation = toMessage(Eigen::Quaterniond(frame.linear()));
 }
 }  // namespace
-
-WheelWrench wheelWrench(const core::WheelsetResult& result, core::Side side)
-{
-  WheelWrench wheel;
-  double weight = 0;
-  for (const core::PatchResult& patch : result.patches)
-  {
-    if (patch.side == side)
-    {
-      const Eigen::Vector3d arm(patch.pose.x, patch.pose.y - result.y, patch.pose.z - result.z);
-      const Eigen::Matrix3d axes = patch.pose.rotation().toRotationMatrix();
-      const core::CreepForce& friction = patch.creep.force;
-      const double along = axes(0, 0) * friction.x + axes(0, 1) * friction.y;
-      const Eigen::Vector3d force(along - patch.slope_along * patch.normal_force,
-                                  -core::sideSign(side) * patch.lateral_force, patch.vertical_force);
-      wheel.wrench += {force, arm.cross(force) + friction.moment * axes.col(2)};
-      wheel.centre += patch.normal_force * arm;
-      weight += patch.normal_force;
-    }
-  }
-  wheel.centre /= weight > 0 ? weight : 1;
-  wheel.wrench.moment -= wheel.centre.cross(wheel.wrench.force);
-  return wheel;
-}
 
 std::string wheelsetFrame(const NodeConfig& config, const std::string& topics)
 {
@@ -81,9 +57,10 @@ tf2_msgs::TFMessage framesOf(const ContactOutput& output, const NodeConfig& conf
   {
     for (const core::Side side : core::sides)
     {
-      addFrame(stamp, config.track_frame, contactFrame(wheelset_frame, side),
-               axle * Eigen::Translation3d(wheelWrench(*output.result, side).centre) * Eigen::Isometry3d::Identity(),
-               message);
+      addFrame(
+          stamp, config.track_frame, contactFrame(wheelset_frame, side),
+          axle * Eigen::Translation3d(core::wheelWrench(*output.result, side).centre) * Eigen::Isometry3d::Identity(),
+          message);
     }
   }
   return message;
@@ -92,7 +69,7 @@ tf2_msgs::TFMessage framesOf(const ContactOutput& output, const NodeConfig& conf
 geometry_msgs::WrenchStamped wrenchMessage(const ContactOutput& output, core::Side side,
                                            const std::string& wheelset_frame)
 {
-  const core::Wrench wrench = wheelWrench(*output.result, side).wrench;
+  const core::Wrench wrench = core::wheelWrench(*output.result, side).wrench;
   geometry_msgs::WrenchStamped message;
   message.header.stamp = output.header.stamp;
   message.header.frame_id = contactFrame(wheelset_frame, side);

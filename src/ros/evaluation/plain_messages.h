@@ -11,18 +11,6 @@
 
 namespace wheel_rail_contact
 {
-/// Force of a rail on its wheel, of normal pressure and friction.
-struct WheelWrench
-{
-  /// From the axle centre, track axes [m]: mean of the centres of pressure of the patches, weighted by their normal
-  /// forces; zero if the wheel carries no load.
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  core::Wrench wrench;  ///< track axes; its moment is about `centre`: by spin, and by several patches
-};
-
-/// Wrench of a wheel. Both together are WheelsetResult::rail_wrench.
-WheelWrench wheelWrench(const core::WheelsetResult& result, core::Side side);
-
 /// Name of the wheelset's frame: wheelset/frame, otherwise from the namespace of its topics.
 std::string wheelsetFrame(const NodeConfig& config, const std::string& topics);
 
