@@ -55,7 +55,6 @@ std::string_view WheelsetDerivatives::fault(const WheelsetBalance& balance, cons
 std::string_view WheelsetDerivatives::find(const WheelsetBalance& balance, RollingWheelset* rolling,
                                            ContactDerivatives& out)
 {
-  clear(out);
   if (const std::string_view reason = fault(balance, rolling); !reason.empty())
   {
     return reason;

@@ -20,6 +20,7 @@ class WheelsetDerivatives
 
   /// Finds the derivatives of a usable result.
   /// @param rolling  its friction; null: none
+  /// @param out      after clear(); those that do not exist remain
   /// @return why they do not exist; otherwise empty
   std::string_view find(const WheelsetBalance& balance, RollingWheelset* rolling, ContactDerivatives& out);
   /// Sets all derivatives to NaN.

@@ -82,12 +82,9 @@ std::vector<WheelsetParameters> wheelsetParameters(
   const WheelsetList list = readWheelsetList(reader);
   for (auto& [name, value] : values)
   {
-    const bool is_own = std::count(list.names.begin(), list.names.end(), name) > 0;
-    const bool is_of_all =
-        !is_own && name != wheelset_list::names && name != wheelset_list::places && name != wheelset_list::reach;
-    if (is_own || is_of_all)
+    if (name != wheelset_list::names && name != wheelset_list::places && name != wheelset_list::reach)
     {
-      (is_own ? own : common)[name] = value;
+      (std::count(list.names.begin(), list.names.end(), name) > 0 ? own : common)[name] = value;
     }
   }
   std::vector<WheelsetParameters> wheelsets;
