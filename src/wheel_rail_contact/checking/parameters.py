@@ -2,6 +2,8 @@
 """Values of parameters of contact_check with their rules, and the text of a value that is outside its bounds."""
 import math
 
+UNBOUNDED = 1e300  # magnitude of an end of a bound that is not given
+
 
 class BadParameter(ValueError):
     """Invalid parameter. The message contains its name, its value and the violated rule."""
@@ -61,8 +63,8 @@ def bound(name, ends):
     """Lowest and highest allowed value, from a group with min, max or both."""
     if not isinstance(ends, dict) or not ends or not set(ends) <= {"min", "max"}:
         raise BadParameter(f"{name} = {ends!r}: must contain min, max or both, and nothing else")
-    low = number(name + "/min", ends.get("min", -1e300))
-    high = number(name + "/max", ends.get("max", 1e300))
+    low = number(name + "/min", ends.get("min", -UNBOUNDED))
+    high = number(name + "/max", ends.get("max", UNBOUNDED))
     if low > high:
         raise BadParameter(f"{name}: min = {low:g} must not be above max = {high:g}")
     return low, high

@@ -6,7 +6,7 @@ import yaml
 from ..checking.axle import QUANTITIES, Sample, history
 from ..checking.axle_verdict import remarks, treatment, violation
 from ..checking.bounds import read_nodes
-from ..checking.parameters import BadParameter
+from ..checking.parameters import UNBOUNDED, BadParameter
 from ..command import Failure, pyplot
 from ..message_constants import USABLE
 from . import marks
@@ -15,7 +15,6 @@ from .histories import time_axis
 from .results import WHEEL_FIELDS
 
 LIMIT = "tab:red"
-LARGEST = 1e300  # of an end of a bound that is not given
 KILO = {"N": ("kN", 1e-3), "-": ("-", 1.0)}
 
 
@@ -61,7 +60,7 @@ def _figure(results, limits, found, path):
         for column, colour in zip(values.T, COLOURS if values.shape[1] == 2 else "k"):
             draw_history(axis, time, scale * column, results, color=colour, linewidth=1.1)
         for end in limits.bounds.get(name, ()):
-            if abs(end) < LARGEST:
+            if abs(end) < UNBOUNDED:
                 axis.axhline(scale * end, color=LIMIT, linestyle="--", linewidth=1)
         axis.set_ylabel(f"{symbol} [{unit}]")
         axis.set_title(treatment(name, limits), fontsize="small", loc="left")

@@ -24,20 +24,28 @@ TRIAL_FORCE = -100e3        # a light wheelset [N]; the result of the trial is n
 QUEUE_SIZE = 1              # in lockstep no second message waits
 
 
-class ServiceContact:
-    """A contact node, over its service `evaluate` with one persistent connection."""
+class _NodeContact:
+    """A contact node, and its service for the state at rest."""
 
     def __init__(self, node, frame):
-        """Waits for the service of a contact node; frame: its parameter track/frame. Raises Failure if it expects another load."""
-        self._node, self._frame, self._call = node, frame, _service(node, "evaluate")
-        self.height_given = require_load(node)
-
-    def evaluate(self, request):
-        return _answer(self._call, request, self._frame)
+        """frame: parameter track/frame of the node. Raises Failure if it expects another load."""
+        self._node, self._frame, self.height_given = node, frame, require_load(node)
 
     def static_start(self, request):
         """Result of a wheelset at rest under the load of the request."""
         return _answer(_service(self._node, "static_start"), request, self._frame)
+
+
+class ServiceContact(_NodeContact):
+    """A contact node, over its service `evaluate` with one persistent connection."""
+
+    def __init__(self, node, frame):
+        """Waits for the service; arguments and failures as for a node."""
+        self._call = _service(node, "evaluate")
+        super().__init__(node, frame)
+
+    def evaluate(self, request):
+        return _answer(self._call, request, self._frame)
 
 
 def _service(node, name):
@@ -57,13 +65,13 @@ def _answer(service, request, frame):
         raise Failure(f"the call of {service.resolved_name} failed: {error}") from error
 
 
-class TopicContact:
+class TopicContact(_NodeContact):
     """A contact node, over its topics, in lockstep: publishes pose, twist and load, and waits for the result with their stamp."""
 
     def __init__(self, node, frame):
-        """Waits until the node replies; arguments and failures as for ServiceContact."""
-        self.height_given = require_load(node)
-        self._node, self._frame, self._latest, self._arrived = node, frame, None, threading.Condition()
+        """Waits until the node replies; arguments and failures as for a node."""
+        super().__init__(node, frame)
+        self._latest, self._arrived = None, threading.Condition()
         self._publishers = [rospy.Publisher(f"wheelset/{name}", kind, queue_size=QUEUE_SIZE, tcp_nodelay=True)
                             for name, kind in (("pose", PoseStamped), ("twist", TwistStamped), ("load", WrenchStamped))]
         # Without tcp_nodelay, each result may wait for up to 40 ms in the socket.
@@ -81,10 +89,6 @@ class TopicContact:
         except rospy.ROSException as error:  # rosnode kill
             raise Failure(error) from error
         raise Failure(f"no result on {self._topic} within {RESULT_WAIT} s")
-
-    def static_start(self, request):
-        """Result of a wheelset at rest under the load of the request."""
-        return _answer(_service(self._node, "static_start"), request, self._frame)
 
     def _has_result(self, request, seconds):
         """Sends a state; whether its result, in `_latest`, is here within this time [s]."""
